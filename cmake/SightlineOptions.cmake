@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Warnings and floating-point rules as one interface target; options are per target, never global.
+include_guard()
+option(SIGHTLINE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(GMP REQUIRED IMPORTED_TARGET gmp)
+pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
+add_library(GMP::gmp ALIAS PkgConfig::GMP)
+add_library(MPFR::mpfr ALIAS PkgConfig::MPFR)
+find_package(CGAL REQUIRED)
+find_package(Boost REQUIRED)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+
+add_library(sightline_flags INTERFACE)
+target_compile_features(sightline_flags INTERFACE cxx_std_20)
+target_compile_options(sightline_flags INTERFACE -Wall -Wextra -Wpedantic -frounding-math -ffp-contract=off)
+if(SIGHTLINE_TESTS)
+    enable_testing()
+    find_package(GTest REQUIRED)
+    find_package(rapidcheck REQUIRED)
+    include(GoogleTest)
+endif()

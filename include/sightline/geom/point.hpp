@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+
+#include "sightline/arith/rational.hpp"
+
+namespace sightline {
+
+/// A point of the plane with finite double coordinates, taken as the exact rational numbers they are.
+/// Ordered lexicographically, x first. -0.0 equals 0.0.
+struct Point2 {
+    double x = 0;
+    double y = 0;
+
+    friend bool operator==(const Point2&, const Point2&) = default;
+    friend std::partial_ordering operator<=>(const Point2&, const Point2&) = default;
+};
+
+/// A point of the plane with rational coordinates: a constructed point, or an input given as a fraction.
+struct RationalPoint2 {
+    Rational x;
+    Rational y;
+
+    friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
+    friend std::strong_ordering operator<=>(const RationalPoint2&, const RationalPoint2&) = default;
+};
+
+/// The same point with rational coordinates; exact.
+[[nodiscard]] inline RationalPoint2 to_rational(const Point2& p) {
+    return {Rational(p.x), Rational(p.y)};
+}
+
+/// The nearest doubles to p's coordinates, for drawing.
+[[nodiscard]] inline Point2 approx_point(const RationalPoint2& p) {
+    return {p.x.approx_double(), p.y.approx_double()};
+}
+
+}  // namespace sightline
