@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -D program=… -D module=… -D list=… -P DiscoverTests.cmake: asks a GoogleTest program for its tests
+# and writes the ctest file for them. Unlike gtest_discover_tests, it labels each test by the file it stands in.
+set(json ${list}.json)
+execute_process(COMMAND ${program} --gtest_list_tests --gtest_output=json:${json}
+                RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
+if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${program} cannot list its tests (${status}): ${errors}")
+endif()
+file(READ ${json} text)
+file(REMOVE ${json})
+
+set(script "")
+string(JSON suites GET "${text}" testsuites)
+string(JSON suite_count LENGTH "${suites}")
+math(EXPR last_suite "${suite_count} - 1")
+if(suite_count GREATER 0)
+    foreach(i RANGE ${last_suite})
+        string(JSON suite GET "${suites}" ${i} name)
+        string(JSON tests GET "${suites}" ${i} testsuite)
+        string(JSON test_count LENGTH "${tests}")
+        math(EXPR last_test "${test_count} - 1")
+        foreach(j RANGE ${last_test})
+            string(JSON test GET "${tests}" ${j})
+            string(JSON name GET "${test}" name)
+            string(JSON file GET "${test}" file)
+            set(labels ${module})
+            if(file MATCHES "_([a-z]+)\\.[ch]pp$")
+                list(APPEND labels ${CMAKE_MATCH_1})
+            endif()
+            set(disabled FALSE)
+            if("${suite}/${name}" MATCHES "(^|/)DISABLED_")
+                set(disabled TRUE)
+            endif()
+            string(APPEND script
+                "add_test([==[${module}.${suite}.${name}]==] [==[${program}]==] [==[--gtest_filter=${suite}.${name}]==])\n"
+                "set_tests_properties([==[${module}.${suite}.${name}]==] PROPERTIES LABELS \"${labels}\" DISABLED ${disabled})\n")
+        endforeach()
+    endforeach()
+endif()
+file(WRITE ${list} "${script}")
