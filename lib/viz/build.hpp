@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "sightline/viz/draw.hpp"
+
+namespace sightline::viz::detail {
+
+[[nodiscard]] inline Position position(const Point2& p) { return {p.x, p.y, 0}; }
+[[nodiscard]] inline Position position(const RationalPoint2& p) {
+    return position(approx_point(p));
+}
+
+/// A picture of the scene that shows the given places too, ready for more.
+[[nodiscard]] DrawList begin(const Scene2& scene, const DrawOptions& options,
+                             std::span<const RationalPoint2> places);
+
+}  // namespace sightline::viz::detail
