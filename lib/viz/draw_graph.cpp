@@ -11,7 +11,7 @@ namespace {
 /// Lines that stay readable as their number grows: thinner and more transparent.
 Style edge_style(std::size_t edges) {
     const double crowd = std::max(1.0, static_cast<double>(edges) / 150);
-    return {.colour = palette::blue,
+    return {.colour = Palette::blue,
             .width = std::clamp(1.1 / std::pow(crowd, 0.14), 0.4, 1.1),
             .opacity = std::clamp(0.8 / std::pow(crowd, 0.33), 0.06, 0.8)};
 }
@@ -22,7 +22,7 @@ void add_graph(DrawList& list, const Scene2& scene, std::span<const VisibilityGr
     Layer layer{.name = "graph",
                 .legend = "visibility edges",
                 .count = edges.size(),
-                .order = order::graphs,
+                .order = PaintOrder::graphs,
                 .style = edge_style(edges.size())};
     layer.segments.reserve(2 * edges.size());
     for (const auto& [u, v] : edges) {

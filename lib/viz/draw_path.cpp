@@ -17,26 +17,26 @@ void add_path(DrawList& list, std::span<const RationalPoint2> points, const Inte
         .name = "turns",
         .legend = "turns of the path",
         .count = points.size() > 2 ? points.size() - 2 : 0,
-        .order = order::paths,
+        .order = PaintOrder::paths,
         .style = {
-            .colour = palette::vermilion, .width = 0, .marker = Marker::disc, .marker_size = 6}};
+            .colour = Palette::vermilion, .width = 0, .marker = Marker::disc, .marker_size = 6}};
     if (turns.count > 0) turns.points.assign(line.points.begin() + 1, line.points.end() - 1);
     list.add({.name = "path",
               .legend = fmt::format("shortest path, length {:.6g}", length.approx_middle()),
-              .order = order::paths,
-              .style = {.colour = palette::vermilion, .width = 3},
+              .order = PaintOrder::paths,
+              .style = {.colour = Palette::vermilion, .width = 3},
               .polylines = {std::move(line)}});
     if (turns.count > 0) list.add(std::move(turns));
     list.add(
         {.name = "from",
          .legend = "from",
-         .order = order::marks,
+         .order = PaintOrder::marks,
          .style = {.colour = {0, 110, 80}, .width = 0, .marker = Marker::disc, .marker_size = 11},
          .points = {from},
          .labels = {{from, "from"}}});
     list.add({.name = "to",
               .legend = "to",
-              .order = order::marks,
+              .order = PaintOrder::marks,
               .style = {.colour = {130, 40, 110},
                         .width = 0,
                         .marker = Marker::square,

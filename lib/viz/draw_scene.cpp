@@ -9,7 +9,7 @@ namespace sightline::viz {
 namespace {
 
 constexpr Style solid_style{
-    .colour = palette::outline, .width = 1, .fill = palette::solid, .fill_opacity = 1};
+    .colour = Palette::outline, .width = 1, .fill = Palette::solid, .fill_opacity = 1};
 
 std::vector<Position> ring_positions(const Scene2& scene, const RingRange2& ring) {
     std::vector<Position> points;
@@ -21,7 +21,8 @@ std::vector<Position> ring_positions(const Scene2& scene, const RingRange2& ring
 }
 
 Layer bodies_layer(const Scene2& scene) {
-    Layer layer{.name = "bodies", .legend = "bodies", .order = order::bodies, .style = solid_style};
+    Layer layer{
+        .name = "bodies", .legend = "bodies", .order = PaintOrder::bodies, .style = solid_style};
     std::map<BodyId, std::size_t> place;
     for (const RingRange2& ring : scene.rings()) {
         if (ring.body.is_none() || ring.is_hole) continue;
@@ -40,7 +41,7 @@ Layer bodies_layer(const Scene2& scene) {
 Layer outside_layer(const Scene2& scene, const Box& view) {
     Layer layer{.name = "outside",
                 .legend = "outside of the world",
-                .order = order::outside,
+                .order = PaintOrder::outside,
                 .style = solid_style};
     layer.style.fill = {222, 224, 228};
     const auto& [low, high] = view;
@@ -57,8 +58,8 @@ Layer outside_layer(const Scene2& scene, const Box& view) {
 Layer walls_layer(const Scene2& scene) {
     Layer layer{.name = "walls",
                 .legend = "walls",
-                .order = order::walls,
-                .style = {.colour = palette::black, .width = 2.2}};
+                .order = PaintOrder::walls,
+                .style = {.colour = Palette::black, .width = 2.2}};
     VertexId end = VertexId::none();
     std::uint32_t id = 0;
     for (const Edge2& edge : scene.edges()) {
@@ -82,9 +83,9 @@ Layer points_layer(const Scene2& scene) {
         .name = "points",
         .legend = "points",
         .count = scene.points().size(),
-        .order = order::vertices,
+        .order = PaintOrder::vertices,
         .style = {
-            .colour = palette::purple, .width = 0, .marker = Marker::diamond, .marker_size = 9}};
+            .colour = Palette::purple, .width = 0, .marker = Marker::diamond, .marker_size = 9}};
     for (const VertexId v : scene.points()) layer.points.push_back(detail::position(scene[v]));
     return layer;
 }
@@ -94,9 +95,9 @@ Layer vertices_layer(const Scene2& scene, const DrawOptions& options) {
         .name = "vertices",
         .legend = "vertices",
         .count = scene.vertex_count(),
-        .order = order::vertices,
+        .order = PaintOrder::vertices,
         .style = {
-            .colour = palette::outline, .width = 0, .marker = Marker::disc, .marker_size = 4}};
+            .colour = Palette::outline, .width = 0, .marker = Marker::disc, .marker_size = 4}};
     for (std::uint32_t i = 0; i < scene.vertex_count(); ++i) {
         const Position at = detail::position(scene[VertexId{i}]);
         if (options.vertices) layer.points.push_back(at);

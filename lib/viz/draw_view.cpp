@@ -105,18 +105,18 @@ void add_view(DrawList& list, const RationalPoint2& from, std::span<const ViewPo
     const Border border(box, eye);
     list.add({.name = "view",
               .legend = "seen from the viewpoint",
-              .order = order::views,
+              .order = PaintOrder::views,
               .style = {.colour = {150, 120, 0},
                         .width = 1,
-                        .fill = palette::yellow,
+                        .fill = Palette::yellow,
                         .fill_opacity = 0.5},
               .polygons = {{bounded_ring(border, ring), {}, 0}}});
     if (!needles.empty()) {
         Layer layer{.name = "needles",
                     .legend = "needles",
                     .count = needles.size(),
-                    .order = order::paths,
-                    .style = {.colour = palette::vermilion, .width = 2}};
+                    .order = PaintOrder::paths,
+                    .style = {.colour = Palette::vermilion, .width = 2}};
         for (const auto& [near, far] : needles) {
             layer.segments.push_back(place(border, near));
             layer.segments.push_back(place(border, far));
@@ -126,7 +126,7 @@ void add_view(DrawList& list, const RationalPoint2& from, std::span<const ViewPo
     list.add(
         {.name = "viewpoint",
          .legend = "viewpoint",
-         .order = order::marks,
+         .order = PaintOrder::marks,
          .style = {.colour = {130, 40, 110}, .width = 0, .marker = Marker::disc, .marker_size = 10},
          .points = {eye}});
 }

@@ -35,7 +35,7 @@ TEST(DrawList, LegendNamesEachLayerWithItsCountAndKind) {
     EXPECT_EQ(entries[1].sample, LegendSample::line);
     EXPECT_EQ(entries[2].text, "path");
     EXPECT_EQ(entries[3].sample, LegendSample::marker);
-    EXPECT_EQ(entries[3].style.colour, palette::green);
+    EXPECT_EQ(entries[3].style.colour, Palette::green);
 }
 
 TEST(DrawList, LayerWithoutLegendTextStaysOutOfTheLegend) {

@@ -28,16 +28,16 @@ struct DrawOptions {
 };
 
 /// Order of the layers that the builders make; layers of callers may stand between them.
-namespace order {
-inline constexpr int outside = 0;
-inline constexpr int bodies = 10;
-inline constexpr int views = 20;
-inline constexpr int graphs = 30;
-inline constexpr int walls = 40;
-inline constexpr int vertices = 50;
-inline constexpr int paths = 60;
-inline constexpr int marks = 70;
-}  // namespace order
+struct PaintOrder {
+    static constexpr int outside = 0;
+    static constexpr int bodies = 10;
+    static constexpr int views = 20;
+    static constexpr int graphs = 30;
+    static constexpr int walls = 40;
+    static constexpr int vertices = 50;
+    static constexpr int paths = 60;
+    static constexpr int marks = 70;
+};
 
 /// Bodies, walls, points, and with a world everything outside of it as solid. O(n).
 [[nodiscard]] DrawList draw(const Scene2& scene, const DrawOptions& options = {});

@@ -37,18 +37,18 @@ struct Colour {
 
 /// Colours that remain apart for the common kinds of colour blindness (Okabe and Ito, "Color
 /// Universal Design", 2008), and the greys of solid things.
-namespace palette {
-inline constexpr Colour black{0, 0, 0};
-inline constexpr Colour orange{230, 159, 0};
-inline constexpr Colour sky_blue{86, 180, 233};
-inline constexpr Colour green{0, 158, 115};
-inline constexpr Colour yellow{240, 228, 66};
-inline constexpr Colour blue{0, 114, 178};
-inline constexpr Colour vermilion{213, 94, 0};
-inline constexpr Colour purple{204, 121, 167};
-inline constexpr Colour solid{196, 200, 206};
-inline constexpr Colour outline{72, 79, 89};
-}  // namespace palette
+struct Palette {
+    static constexpr Colour black{0, 0, 0};
+    static constexpr Colour orange{230, 159, 0};
+    static constexpr Colour sky_blue{86, 180, 233};
+    static constexpr Colour green{0, 158, 115};
+    static constexpr Colour yellow{240, 228, 66};
+    static constexpr Colour blue{0, 114, 178};
+    static constexpr Colour vermilion{213, 94, 0};
+    static constexpr Colour purple{204, 121, 167};
+    static constexpr Colour solid{196, 200, 206};
+    static constexpr Colour outline{72, 79, 89};
+};
 
 /// How a point is shown.
 enum class Marker : std::uint8_t { none, disc, ring, square, diamond, cross };
