@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "planar/triangulation.hpp"
+#include "sightline/arith/arithmetic.hpp"
+#include "sightline/arith/tally.hpp"
+
+namespace sightline::detail {
+
+/// From where a cone of sight starts: a point with double coordinates, or a constructed place.
+struct Viewpoint {
+    Point2 position;
+    Place place = no_index;  ///< when it is a place of the triangulation
+};
+
+/// One boundary ray of a cone of sight: the direction in doubles for the filter, and its generator for
+/// exactness.
+struct Limit {
+    /// How `place` generates the ray; axis directions have no place.
+    enum class Kind : std::uint8_t { towards, away_from, up, down, left, right };
+
+    double x = 0;
+    double y = 0;
+    Place place = no_index;  ///< the last vertex met on the ray, or the generator
+    Kind kind = Kind::towards;
+    bool touches = false;  ///< the near edge's end on this side lies on the ray
+    bool armed = false;    ///< the ray may go on where the cone ends: it has to be followed on its own
+    bool silent = false;   ///< what lies on the ray is not reported
+};
+
+/// Signs of orientation(viewpoint, limit, place) under one arithmetic, counted by deciding tier.
+class ConeSigns {
+public:
+    ConeSigns(const Triangulation& t, Arithmetic arithmetic);
+
+    /// A determinant beyond ± this needs no second look.
+    [[nodiscard]] double bound() const noexcept { return bound_; }
+    /// Positive when p lies left of the ray. Called when the first filter has not decided.
+    [[nodiscard]] Sign side(const Viewpoint& from, const Limit& limit, Place p);
+    /// Counts determinants that were evaluated, decided by the first filter or not.
+    void count(std::uint64_t calls) noexcept { calls_ += calls; }
+    void add_to(Tally& tally) const noexcept;
+
+private:
+    [[nodiscard]] CertifiedSign decide(const Viewpoint& from, const Limit& limit, Place p) const;
+    [[nodiscard]] CertifiedSign by_tier(const Point2& a, const Point2& b, const Point2& c) const;
+
+    const Triangulation& t_;
+    Arithmetic arithmetic_;
+    double bound_;
+    std::uint64_t calls_ = 0;
+    TierCounts late_;
+};
+
+}  // namespace sightline::detail

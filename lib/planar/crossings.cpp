@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "planar/crossings.hpp"
+
+namespace sightline::detail {
+
+Crossings::Crossings(const Triangulation& t) : crossings_(3 * t.triangle_count()) {
+    for (HalfEdge base = 0; base < 4 * t.triangle_count(); base += 4) {
+        if (!t.is_free(base)) continue;
+        std::uint32_t out[3];
+        for (HalfEdge i = 0; i < 3; ++i) out[i] = beyond(t, base + i);
+        for (HalfEdge i = 0; i < 3; ++i) {
+            const Place apex = t.apex(base + i);
+            const Point2& p = t.position(apex);
+            // Entering through p→q, q is on the right: the left exit is apex→p, the right one q→apex.
+            crossings_[index(base + i)] = {p.x, p.y, apex, out[prev(i)], out[next(i)],
+                                           (t.is_scene_place(apex) ? is_vertex_flag : 0U) |
+                                               (t.is_pinch(apex) ? is_pinch_flag : 0U)};
+        }
+    }
+}
+
+}  // namespace sightline::detail

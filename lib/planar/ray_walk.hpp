@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "planar/triangulation.hpp"
+
+namespace sightline::detail {
+
+/// A segment followed exactly through the triangulation, from one place through another and beyond,
+/// under the blocking rules of semantics 2.4: the interior of B blocks, contact of codimension one is
+/// sealed, pinholes are free, walls block where they separate and B alone does not.
+class RayWalk {
+public:
+    /// Stands at v, looking along v→toward (a different place, in any distance).
+    RayWalk(const Triangulation& t, Place v, Place toward) : t_(t), from_(v), toward_(toward), at_(v) {}
+
+    /// Goes on to the next place on the ray; no_index when the ray is blocked or leaves the frame.
+    [[nodiscard]] Place next_place();
+    /// Whether the ray can go on beyond the place where it stands, however little.
+    [[nodiscard]] bool can_leave();
+    /// Whether the last step ran along a body's or the world's boundary.
+    [[nodiscard]] bool ran_along_boundary() const noexcept { return along_boundary_; }
+
+private:
+    // What lies round the current place, as seen along the ray.
+    struct Surroundings {
+        HalfEdge out_edge = no_index;      ///< starts here and runs along the ray
+        HalfEdge out_triangle = no_index;  ///< starts here; the ray enters its triangle
+        bool wall_left = false, wall_right = false, wall_here = false;
+        bool solid_left = false, solid_right = false;
+        bool in_left_free = true, in_right_free = true;
+    };
+    [[nodiscard]] Surroundings look() const;
+    void look_at(HalfEdge h, Surroundings& s) const;
+    [[nodiscard]] Sign side(Place p) const;
+    [[nodiscard]] bool is_ahead(Place p) const;
+    [[nodiscard]] bool pass(const Surroundings& s);
+    [[nodiscard]] Place cross_triangles(HalfEdge h);
+
+    const Triangulation& t_;
+    Place from_;
+    Place toward_;
+    Place at_;
+    bool along_boundary_ = false;
+    // While the ray runs inside walls: is its left (right) side joined to where it came from, near the
+    // run, in the complement of W ∪ B, and in the complement of B alone? `came_`: it came from outside.
+    bool in_wall_ = false;
+    bool came_ = false;
+    bool left_ = true, right_ = true;
+    bool left_of_solid_ = true, right_of_solid_ = true;
+};
+
+}  // namespace sightline::detail

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Places of a triangulation: the frame, and the scene's distinct vertex positions along a Hilbert curve.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+
+#include "planar/triangulation_builder.hpp"
+
+namespace sightline::detail {
+namespace {
+
+struct Box {
+    double x0, y0, x1, y1;
+};
+
+Box bounding_box(std::span<const Point2> points) {
+    Box b{points[0].x, points[0].y, points[0].x, points[0].y};
+    for (const Point2& p : points) {
+        b.x0 = std::min(b.x0, p.x);
+        b.x1 = std::max(b.x1, p.x);
+        b.y0 = std::min(b.y0, p.y);
+        b.y1 = std::max(b.y1, p.y);
+    }
+    return b;
+}
+
+// Position of (x, y), 16 bits each, along a Hilbert curve.
+std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
+    std::uint32_t key = 0;
+    for (std::uint32_t s = 1U << 15U; s != 0; s >>= 1U) {
+        const std::uint32_t rx = (x & s) != 0 ? 1 : 0;
+        const std::uint32_t ry = (y & s) != 0 ? 1 : 0;
+        key = (key << 2U) | ((3 * rx) ^ ry);
+        if (ry == 0) {
+            if (rx == 1) {
+                x = ~x;
+                y = ~y;
+            }
+            std::swap(x, y);
+        }
+    }
+    return key;
+}
+
+// Vertices by Hilbert key of their position; equal positions are neighbours, ids ascending.
+std::vector<std::uint64_t> hilbert_order(std::span<const Point2> points, const Box& box) {
+    // Scaled before subtracting: the extent of the box may overflow.
+    const double size = std::max({box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2, DBL_MIN});
+    std::vector<std::uint64_t> order(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto cell = [&](double v, double low) {
+            return static_cast<std::uint32_t>((v / 2 - low / 2) / size * 65535.0);
+        };
+        const std::uint64_t key = hilbert_key(cell(points[i].x, box.x0), cell(points[i].y, box.y0));
+        order[i] = key << 32U | i;
+    }
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size();) {
+        std::size_t j = i + 1;
+        while (j < order.size() && order[j] >> 32U == order[i] >> 32U) ++j;
+        if (j - i > 1)
+            std::sort(order.begin() + static_cast<std::ptrdiff_t>(i),
+                      order.begin() + static_cast<std::ptrdiff_t>(j), [&](std::uint64_t a, std::uint64_t b) {
+                          const auto u = static_cast<std::uint32_t>(a);
+                          const auto v = static_cast<std::uint32_t>(b);
+                          if (points[u] == points[v]) return u < v;
+                          return points[u] < points[v];
+                      });
+        i = j;
+    }
+    return order;
+}
+
+// The exponent of the lowest set bit of x, or a large number for 0.
+int lowest_bit(double x) {
+    if (x == 0) return 4096;
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    const auto digits = static_cast<std::uint64_t>(std::ldexp(std::fabs(mantissa), 53));
+    return exponent - 53 + std::countr_zero(digits);
+}
+
+}  // namespace
+
+void TriangulationBuilder::make_frame() {
+    const Box b = bounding_box(scene_.vertices());
+    // A margin of about the scene's size, rounded to a power of two to stay on the scene's grid.
+    const double size = std::max({b.x1 - b.x0, b.y1 - b.y0, DBL_MIN});
+    const double margin = std::ldexp(1.0, std::min(std::ilogb(size) + 1, 1022));
+    const auto down = [&](double v) { return std::min(v - margin, std::nextafter(v, -DBL_MAX)); };
+    const auto up = [&](double v) { return std::max(v + margin, std::nextafter(v, DBL_MAX)); };
+    t_.position_ = {{down(b.x0), down(b.y0)}, {up(b.x1), down(b.y0)}, {up(b.x1), up(b.y1)}, {down(b.x0), up(b.y1)}};
+}
+
+void TriangulationBuilder::make_places() {
+    const std::span<const Point2> points = scene_.vertices();
+    const std::vector<std::uint64_t> order = hilbert_order(points, bounding_box(points));
+    t_.position_.reserve(points.size() + frame_places);
+    t_.place_of_.resize(points.size());
+    t_.vertices_at_.reserve(points.size());
+    for (const std::uint64_t entry : order) {
+        const auto v = static_cast<std::uint32_t>(entry);
+        if (t_.vertices_at_.empty() || points[v] != points[t_.vertices_at_.back().index()]) {
+            t_.first_vertex_.push_back(static_cast<std::uint32_t>(t_.vertices_at_.size()));
+            t_.position_.push_back(points[v]);
+        }
+        t_.place_of_[v] = static_cast<Place>(t_.position_.size() - 1);
+        t_.vertices_at_.push_back(VertexId{v});
+    }
+    t_.first_vertex_.push_back(static_cast<std::uint32_t>(t_.vertices_at_.size()));
+    t_.first_constructed_ = static_cast<Place>(t_.position_.size());
+}
+
+// With M the largest coordinate difference, fl(dx·dy') has |error| ≤ 3u·M² and the subtraction adds
+// u·2M²(1+3u): in all at most (8 + 32u) u M², and 2 DBL_MIN for underflow. Rounded up to 9 u M².
+void TriangulationBuilder::measure_precision() {
+    const Point2& low = t_.position_[0];
+    const Point2& high = t_.position_[2];
+    const double mx = high.x - low.x;
+    const double my = high.y - low.y;
+    int lowest = 4096;
+    for (const Point2& p : t_.position_) lowest = std::min({lowest, lowest_bit(p.x), lowest_bit(p.y)});
+    // Differences below 2^26 grid steps have products below 2^52 and a determinant below 2^53.
+    const double steps = std::ldexp(std::max(mx, my), -lowest);
+    t_.exact_grid_ = steps <= 0x1p26 && lowest > -500 && lowest < 400;
+    t_.orientation_bound_ = t_.exact_grid_ ? 0 : 9 * (DBL_EPSILON / 2) * (mx * my) + 2 * DBL_MIN;
+}
+
+}  // namespace sightline::detail
