@@ -23,7 +23,7 @@ CLEAN = {
     "include/sightline/scene/boost_graph.hpp": "#include <boost/graph/graph_traits.hpp>\n",
     "lib/arith/interval_cgal.hpp": "#include <CGAL/Interval_nt.h>\n",
     "lib/geom/predicates.cpp": '#include "arith/interval_cgal.hpp"\n#include "sightline/geom/point.hpp"\n'
-    "const double u = std::numeric_limits<double>::epsilon();\n",
+    "const double u = std::numeric_limits<double>::epsilon(), v = DBL_EPSILON / 2;\n",
     "lib/scene/union_cgal.cpp": "#include <CGAL/Arrangement_2.h>\n#include <fmt/format.h>\nnamespace {}\n",
     "lib/scene/text.cpp": '#include <fmt/format.h>\nnamespace sightline::detail {}\nauto s = "epsilon";\n',
     "lib/viz/render_vtk.cpp": "#include <vtkRenderer.h>\n",
@@ -74,6 +74,7 @@ VIOLATIONS = {
     "CGAL in the program": ("lib/cli/bad.cpp", "#include <CGAL/enum.h>\n"),
     "tolerance in a header": ("include/sightline/geom/bad.hpp", "inline constexpr double kEpsilon = 1;\n"),
     "limits in a header": ("include/sightline/geom/bad.hpp", "double u = std::numeric_limits<double>::epsilon();\n"),
+    "unit roundoff in a header": ("include/sightline/geom/bad.hpp", "inline constexpr double u = DBL_EPSILON;\n"),
     "tolerance in a source": ("lib/geom/bad.cpp", "bool near(double a, double tolerance);\n"),
     "eps in a source": ("lib/geom/bad.cpp", "bool near(double a, double eps);\n"),
     "foreign namespace": ("lib/geom/bad.cpp", "namespace sightline::utils {\n}\n"),
