@@ -42,7 +42,7 @@ SightLine::SightLine(const Scene2& scene, const Candidates& near, const Place& p
         if (is_within(x) && side(p_, q_, x) == Sign::zero) note_vertex(x);
     }
     for (const EdgeId e : near.edges) {
-        meet(scene, e);
+        meet(scene, near, e);
         if (cut_) return;
     }
     take_pictures(scene);
@@ -60,7 +60,16 @@ void SightLine::note_vertex(const Place& vertex) {
     places_.push_back(vertex);
 }
 
-void SightLine::meet(const Scene2& scene, EdgeId edge) {
+// Whether a ring has a corner where the line crosses the body edge: there may be a pinhole in the edge.
+bool SightLine::is_pierced(const Scene2& scene, const Candidates& near, EdgeId edge) const {
+    return std::any_of(near.edges.begin(), near.edges.end(), [&](EdgeId other) {
+        const Place x = scene[scene[other].source];
+        return scene[other].kind != EdgeKind2::wall && side(p_, q_, x) == Sign::zero &&
+               is_on(scene, edge, x);
+    });
+}
+
+void SightLine::meet(const Scene2& scene, const Candidates& near, EdgeId edge) {
     const Edge2& e = scene[edge];
     const Place a = scene[e.source];
     const Place b = scene[e.target];
@@ -77,7 +86,8 @@ void SightLine::meet(const Scene2& scene, EdgeId edge) {
         touching_.push_back(edge);
         if (ahead_of_p == Sign::zero || (reach_ == Reach::segment && ahead_of_q == Sign::zero))
             return;
-        if (reach_ == Reach::segment && e.kind != EdgeKind2::wall) {
+        if (reach_ == Reach::segment && e.kind != EdgeKind2::wall &&
+            !is_pierced(scene, near, edge)) {
             cut_ = true;  // the solid side of the edge is met before or after the crossing
             return;
         }

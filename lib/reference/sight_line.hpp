@@ -69,7 +69,8 @@ private:
         std::size_t last;
     };
 
-    void meet(const Scene2& scene, EdgeId edge);
+    void meet(const Scene2& scene, const Candidates& near, EdgeId edge);
+    [[nodiscard]] bool is_pierced(const Scene2& scene, const Candidates& near, EdgeId edge) const;
     void note_vertex(const Place& vertex);
     void take_pictures(const Scene2& scene);
     [[nodiscard]] bool is_within(const Place& x) const;

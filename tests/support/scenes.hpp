@@ -2,6 +2,7 @@
 // Scenes written down in tests, in one line or a few.
 #pragma once
 
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -23,7 +24,8 @@ inline std::vector<Point2> parse_points(const std::string& text) {
         std::string more;
         if (!(numbers >> x >> y) || numbers >> more)
             throw std::invalid_argument("not a point: " + pair);
-        points.push_back({std::stod(x), std::stod(y)});
+        // Not std::stod, which refuses denormals.
+        points.push_back({std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr)});
     }
     return points;
 }
