@@ -189,6 +189,20 @@ std::size_t Rational::hash() const noexcept {
 
 std::ostream& operator<<(std::ostream& out, const Rational& x) { return out << x.to_string(); }
 
+Rational numerator_of(const Rational& x) {
+    Rational result;
+    mpq_init(&result.q_);
+    mpz_set(mpq_numref(&result.q_), mpq_numref(x.mpq()));
+    return result;
+}
+
+Rational denominator_of(const Rational& x) {
+    Rational result;
+    mpq_init(&result.q_);
+    mpz_set(mpq_numref(&result.q_), mpq_denref(x.mpq()));
+    return result;
+}
+
 std::optional<Rational> Rational::parse(std::string_view text) {
     const bool minus = take_sign(text);
     std::string digits(take_digits(text));

@@ -5,12 +5,18 @@ namespace sightline {
 
 std::string_view name_of(Predicate predicate) noexcept {
     switch (predicate) {
-        case Predicate::orientation2: return "orientation2";
-        case Predicate::order_along_line2: return "order_along_line2";
-        case Predicate::order_of_directions2: return "order_of_directions2";
-        case Predicate::constructed_order2: return "constructed_order2";
-        case Predicate::point_location2: return "point_location2";
-        case Predicate::count_: break;
+        case Predicate::orientation2:
+            return "orientation2";
+        case Predicate::order_along_line2:
+            return "order_along_line2";
+        case Predicate::order_of_directions2:
+            return "order_of_directions2";
+        case Predicate::constructed_order2:
+            return "constructed_order2";
+        case Predicate::point_location2:
+            return "point_location2";
+        case Predicate::count_:
+            break;
     }
     return "unknown";
 }
@@ -28,10 +34,18 @@ void Tally::add(Predicate p, Tier tier) noexcept {
     TierCounts& counts = (*this)[p];
     ++counts.calls;
     switch (tier) {
-        case Tier::filter: ++counts.filter; break;
-        case Tier::interval: ++counts.interval; break;
-        case Tier::exact: ++counts.exact; break;
-        case Tier::undecided: ++counts.undecided; break;
+        case Tier::filter:
+            ++counts.filter;
+            break;
+        case Tier::interval:
+            ++counts.interval;
+            break;
+        case Tier::exact:
+            ++counts.exact;
+            break;
+        case Tier::undecided:
+            ++counts.undecided;
+            break;
     }
 }
 

@@ -64,10 +64,14 @@ template <typename Function>
 decltype(auto) with_arithmetic(Arithmetic arithmetic, Function&& function) {
     using enum Arithmetic;
     switch (arithmetic) {
-        case exact: return function(std::integral_constant<Arithmetic, exact>{});
-        case interval: return function(std::integral_constant<Arithmetic, interval>{});
-        case double_: return function(std::integral_constant<Arithmetic, double_>{});
-        case filtered: break;
+        case exact:
+            return function(std::integral_constant<Arithmetic, exact>{});
+        case interval:
+            return function(std::integral_constant<Arithmetic, interval>{});
+        case double_:
+            return function(std::integral_constant<Arithmetic, double_>{});
+        case filtered:
+            break;
     }
     return function(std::integral_constant<Arithmetic, filtered>{});
 }

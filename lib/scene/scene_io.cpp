@@ -11,6 +11,8 @@
 #include <iostream>
 
 #include "scene/text_cursor.hpp"
+#include "sightline/scene/geojson.hpp"
+#include "sightline/scene/text_format.hpp"
 #include "sightline/scene/wkt.hpp"
 
 namespace sightline {
@@ -86,8 +88,15 @@ private:
 
 Result<SceneInput2> read_text_as(SceneFormat2 format, std::string_view text,
                                  const ReadOptions& options) {
-    (void)format;
-    return read_wkt(text, options);
+    switch (format) {
+        case SceneFormat2::wkt:
+            return read_wkt(text, options);
+        case SceneFormat2::geojson:
+            return read_geojson(text, options);
+        case SceneFormat2::text:
+            break;
+    }
+    return read_text(text, options);
 }
 
 bool ends_with(std::string_view path, std::string_view ending) {
@@ -137,6 +146,18 @@ Result<Scene2> read_scene(const std::string& path, const ReadOptions& options) {
     const Result<SceneInput2> input = read_input(path, options);
     if (!input) return tl::unexpected(input.error());
     return Scene2::make(*input);
+}
+
+void write_input(std::ostream& out, const SceneInput2& input, SceneFormat2 format) {
+    switch (format) {
+        case SceneFormat2::wkt:
+            return write_wkt(out, input);
+        case SceneFormat2::geojson:
+            return write_geojson(out, input);
+        case SceneFormat2::text:
+            break;
+    }
+    write_text(out, input);
 }
 
 }  // namespace sightline

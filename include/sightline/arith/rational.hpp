@@ -107,6 +107,8 @@ public:
         return mpq_cmp(a.mpq(), b.mpq()) <=> 0;
     }
     friend std::ostream& operator<<(std::ostream& out, const Rational& x);
+    friend Rational numerator_of(const Rational& x);
+    friend Rational denominator_of(const Rational& x);
 
 private:
     void set(long value);
@@ -119,6 +121,11 @@ private:
 
     __mpq_struct q_{};
 };
+
+/// The numerator of x in lowest terms, with its sign.
+[[nodiscard]] Rational numerator_of(const Rational& x);
+/// The denominator of x in lowest terms; positive.
+[[nodiscard]] Rational denominator_of(const Rational& x);
 
 /// |x|.
 [[nodiscard]] inline Rational abs(const Rational& x) { return x.sign() == Sign::negative ? -x : x; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iosfwd>
 
 namespace sightline {
 
@@ -22,8 +23,8 @@ template <typename Number>
     return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
 }
 
-/// Which arithmetic settled a sign: the error-bounded double filter, intervals, exact numbers,
-/// or none of them (policies `interval` and `double_` may leave a sign undecided).
+/// Which arithmetic settled a sign: doubles (under the policy `double_` without a bound),
+/// intervals, exact numbers, or none of them (the policy `interval` may leave a sign undecided).
 enum class Tier : std::uint8_t { filter, interval, exact, undecided };
 
 /// A sign together with the tier that decided it.
@@ -33,5 +34,9 @@ struct CertifiedSign {
 
     friend constexpr bool operator==(const CertifiedSign&, const CertifiedSign&) = default;
 };
+
+std::ostream& operator<<(std::ostream& out, Sign sign);
+std::ostream& operator<<(std::ostream& out, Tier tier);
+std::ostream& operator<<(std::ostream& out, const CertifiedSign& sign);
 
 }  // namespace sightline

@@ -12,11 +12,11 @@ namespace sightline {
 
 /// The predicates that are counted; one row each in every result's `stats.predicates`.
 enum class Predicate : std::uint8_t {
-    orientation2,         ///< side of a line through two points
-    order_along_line2,    ///< order of two points along a direction
-    order_of_directions2, ///< counter-clockwise order of directions round a point
-    constructed_order2,   ///< comparisons that involve an intersection point
-    point_location2,      ///< tests made while locating a query point
+    orientation2,          ///< side of a line through two points
+    order_along_line2,     ///< order of two points along a direction
+    order_of_directions2,  ///< counter-clockwise order of directions round a point
+    constructed_order2,    ///< comparisons that involve an intersection point
+    point_location2,       ///< tests made while locating a query point
     count_
 };
 

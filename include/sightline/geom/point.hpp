@@ -2,28 +2,34 @@
 #pragma once
 
 #include <compare>
+#include <iosfwd>
 
 #include "sightline/arith/rational.hpp"
 
 namespace sightline {
 
-/// A point of the plane with finite double coordinates, taken as the exact rational numbers they are.
-/// Ordered lexicographically, x first. -0.0 equals 0.0.
+/// A point of the plane with finite double coordinates, taken as the exact rational numbers they
+/// are. Ordered lexicographically, x first. -0.0 equals 0.0.
 struct Point2 {
     double x = 0;
     double y = 0;
 
     friend bool operator==(const Point2&, const Point2&) = default;
     friend std::partial_ordering operator<=>(const Point2&, const Point2&) = default;
+    /// "(x, y)", each coordinate as the shortest decimal that reads back to the same double.
+    friend std::ostream& operator<<(std::ostream& out, const Point2& p);
 };
 
-/// A point of the plane with rational coordinates: a constructed point, or an input given as a fraction.
+/// A point of the plane with rational coordinates: a constructed point, or an input given as a
+/// fraction.
 struct RationalPoint2 {
     Rational x;
     Rational y;
 
     friend bool operator==(const RationalPoint2&, const RationalPoint2&) = default;
     friend std::strong_ordering operator<=>(const RationalPoint2&, const RationalPoint2&) = default;
+    /// "(x, y)", as exact fractions.
+    friend std::ostream& operator<<(std::ostream& out, const RationalPoint2& p);
 };
 
 /// The same point with rational coordinates; exact.

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A double together with a bound of its error: the filter for polynomials of higher degree.
+/// Private.
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "sightline/arith/sign.hpp"
+
+namespace sightline::detail {
+
+/// The number type whose operations derive an error bound along with the polynomial's value.
+///
+/// Let u = 2^-53. A rounded operation with result v errs by at most u|v|, a product by 2^-1075
+/// more when it underflows (sums and differences do not underflow inexactly). The errors of the
+/// arguments propagate as usual. Computing the bound rounds as well: each of its operations loses a
+/// relative u, of which a chain of k operations makes less than 2ku, and in products 2^-1075, which
+/// the term 2^-1022 outweighs. sign() demands a margin of 2^-40, enough for k up to 4096.
+/// Overflow makes the bound infinite or NaN, and then nothing is decided.
+class ErrorBounded {
+public:
+    explicit ErrorBounded(double exact) : value_(exact) {}
+    /// A number known to lie within `error` of `value`.
+    ErrorBounded(double value, double error) : value_(value), error_(error) {}
+
+    [[nodiscard]] friend ErrorBounded operator+(const ErrorBounded& a, const ErrorBounded& b) {
+        const double v = a.value_ + b.value_;
+        return {v, a.error_ + b.error_ + u * std::abs(v)};
+    }
+    [[nodiscard]] friend ErrorBounded operator-(const ErrorBounded& a, const ErrorBounded& b) {
+        const double v = a.value_ - b.value_;
+        return {v, a.error_ + b.error_ + u * std::abs(v)};
+    }
+    [[nodiscard]] friend ErrorBounded operator*(const ErrorBounded& a, const ErrorBounded& b) {
+        const double v = a.value_ * b.value_;
+        const double propagated =
+            std::abs(a.value_) * b.error_ + (std::abs(b.value_) + b.error_) * a.error_;
+        return {v, propagated + u * std::abs(v) + std::numeric_limits<double>::min()};
+    }
+
+    /// The sign of the exact value when it is certain, else empty.
+    [[nodiscard]] std::optional<Sign> sign() const {
+        const double bound = error_ * (1 + 0x1p-40);
+        if (value_ > bound) return Sign::positive;
+        if (-value_ > bound) return Sign::negative;
+        if (value_ == 0 && error_ == 0) return Sign::zero;
+        return std::nullopt;
+    }
+
+private:
+    static constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+    double value_;
+    double error_ = 0;
+};
+
+}  // namespace sightline::detail
