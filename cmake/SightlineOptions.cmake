@@ -43,7 +43,7 @@ set(SIGHTLINE_VTK_TARGETS "")
 if(SIGHTLINE_VTK)
     set(SIGHTLINE_VTK_COMPONENTS
         CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources
-        IOImage IOXML InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
+        IOImage IOXML InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI)
     set(sightline_required "")
     if(NOT SIGHTLINE_VTK STREQUAL AUTO)
         set(sightline_required REQUIRED)

@@ -92,7 +92,7 @@ void place_column(const Column& column, Pixel top_left, Layout& layout) {
         }
         for (const std::string& line : block.lines) {
             layout.texts.push_back(
-                {line, {x, y + step / 2 + size * 0.35}, size, false, {40, 40, 40}});
+                {line, {x, y + step / 2 + size * 0.35}, size, false, {40, 40, 40}, {}});
             y += step;
         }
         y += 0.45 * step;
@@ -143,7 +143,8 @@ void place_labels(const DrawList& list, double size, Layout& layout) {
         for (const Label& label : layer.labels) {
             const double width = estimated_width(label.text, size);
             const double away = layer.style.marker_size / 2 + 4;
-            const auto places = places_round(layout.to_pixel(label.at), away, width, size);
+            const Pixel p = layout.to_pixel(label.at);
+            const auto places = places_round(p, away, width, size);
             const auto box = [&](Pixel at) {
                 return Rectangle{at.x - 2, at.y - size, width + 4, 1.25 * size};
             };
@@ -155,7 +156,7 @@ void place_labels(const DrawList& list, double size, Layout& layout) {
             const auto found = std::ranges::find_if(places, is_free);
             const Pixel at = found != places.end() ? *found : places[0];
             taken.push_back(box(at));
-            layout.labels.push_back({label.text, at, size, true, layer.style.colour});
+            layout.labels.push_back({label.text, at, size, true, layer.style.colour, p});
         }
     }
 }
@@ -228,7 +229,7 @@ Layout make_layout(const DrawList& list, const LayoutOptions& options) {
     layout.data = fitted(layout.view, pad, top, across, std::max(down, 1.0));
     if (!list.title.empty()) {
         layout.texts.push_back(
-            {list.title, {pad, pad + font_size}, font_size * 1.25, true, {20, 20, 20}});
+            {list.title, {pad, pad + font_size}, font_size * 1.25, true, {20, 20, 20}, {}});
     }
     place_column(column, {layout.data.x + layout.data.width + pad, layout.data.y}, layout);
     if (list.scale_bar) place_scale_bar(layout, font_size);

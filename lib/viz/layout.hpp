@@ -32,6 +32,7 @@ struct PlacedText {
     double size = 0;
     bool bold = false;
     Colour colour{};
+    Pixel anchor{};  ///< of a label: the place that it names
 };
 
 struct LegendRow {

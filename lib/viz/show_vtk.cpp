@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkInteractorStyle.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "viz/window_vtk.hpp"
+#include "viz/x_display.hpp"
+
+namespace sightline::viz {
+namespace detail {
+namespace {
+
+/// Moves and zooms a drawing of the plane.
+class PlaneStyle : public vtkInteractorStyle {
+public:
+    static PlaneStyle* New();
+    vtkTypeMacro(PlaneStyle, vtkInteractorStyle)
+
+        vtkRenderer* drawing = nullptr;
+    std::function<void()> reset;
+
+    void OnLeftButtonDown() override { StartPan(); }
+    void OnLeftButtonUp() override { EndPan(); }
+    void OnMiddleButtonDown() override { StartPan(); }
+    void OnMiddleButtonUp() override { EndPan(); }
+    void OnMouseMove() override {
+        if (State == VTKIS_PAN) pan();
+    }
+    void OnMouseWheelForward() override { zoom(1.2); }
+    void OnMouseWheelBackward() override { zoom(1 / 1.2); }
+    void OnChar() override {
+        switch (Interactor->GetKeyCode()) {
+            case 'q':
+            case 'Q':
+                Interactor->ExitCallback();
+                break;
+            case '+':
+                zoom(1.2);
+                break;
+            case '-':
+                zoom(1 / 1.2);
+                break;
+            case 'r':
+            case 'R':
+                reset();
+                Interactor->Render();
+                break;
+            default:
+                break;
+        }
+    }
+
+private:
+    /// World units a pixel.
+    [[nodiscard]] double resolution() const {
+        return 2 * drawing->GetActiveCamera()->GetParallelScale() /
+               std::max(1, drawing->GetSize()[1]);
+    }
+    void move_by(double dx, double dy) {
+        vtkCamera* camera = drawing->GetActiveCamera();
+        double p[3];
+        camera->GetFocalPoint(p);
+        camera->SetFocalPoint(p[0] + dx, p[1] + dy, p[2]);
+        camera->GetPosition(p);
+        camera->SetPosition(p[0] + dx, p[1] + dy, p[2]);
+    }
+    void pan() {
+        const int* now = Interactor->GetEventPosition();
+        const int* last = Interactor->GetLastEventPosition();
+        move_by(-(now[0] - last[0]) * resolution(), -(now[1] - last[1]) * resolution());
+        Interactor->Render();
+    }
+    /// Keeps what is under the mouse where it is.
+    void zoom(double factor) {
+        vtkCamera* camera = drawing->GetActiveCamera();
+        const double scale = camera->GetParallelScale() / factor;
+        if (!(scale > 1e-6 && scale < 1e7)) return;
+        const int* at = Interactor->GetEventPosition();
+        const int* origin = drawing->GetOrigin();
+        const int* size = drawing->GetSize();
+        const double moved = resolution() * (1 - 1 / factor);
+        move_by((at[0] - origin[0] - size[0] / 2.0) * moved,
+                (at[1] - origin[1] - size[1] / 2.0) * moved);
+        camera->SetParallelScale(scale);
+        Interactor->Render();
+    }
+};
+vtkStandardNewMacro(PlaneStyle);
+
+template <typename Action>
+void observe(vtkObject* object, unsigned long event, Action& action) {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&action);
+    command->SetCallback(
+        [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<Action*>(data))(); });
+    object->AddObserver(event, command);
+}
+
+Layout layout_for(const DrawList& list, int width, int height) {
+    return make_layout(list, {.width = static_cast<double>(std::max(width, 200)),
+                              .height = static_cast<double>(std::max(height, 200))});
+}
+
+}  // namespace
+
+Window::Window(const DrawList& list, const ShowOptions& options, void* display)
+    : list_(list),
+      page_(list,
+            layout_for(list, static_cast<int>(options.width), static_cast<int>(options.height)), 1),
+      window_(vtkSmartPointer<vtkRenderWindow>::New()),
+      interactor_(vtkSmartPointer<vtkRenderWindowInteractor>::New()),
+      first_scale_(page_.drawing()->GetActiveCamera()->GetParallelScale()) {
+    window_->SetDisplayId(display);
+    window_->SetMultiSamples(0);
+    window_->SetAlphaBitPlanes(1);
+    window_->SetSize(static_cast<int>(options.width), static_cast<int>(options.height));
+    window_->SetWindowName(list.title.empty() ? "sightline" : list.title.c_str());
+    window_->AddRenderer(page_.page());
+    window_->AddRenderer(page_.drawing());
+    interactor_->SetRenderWindow(window_);
+    vtkNew<PlaneStyle> style;
+    style->drawing = page_.drawing();
+    style->SetDefaultRenderer(page_.drawing());
+    style->reset = [this] { page_.reset_camera(); };
+    interactor_->SetInteractorStyle(style);
+}
+
+Window::~Window() = default;
+
+void Window::fit_to_size() {
+    const int* size = window_->GetSize();
+    page_.rearrange(layout_for(list_, size[0], size[1]));
+}
+
+void Window::zoomed() {
+    page_.magnify(first_scale_ / page_.drawing()->GetActiveCamera()->GetParallelScale());
+}
+
+void Window::run(const std::function<void()>& each_turn) {
+    std::function<void()> closing = [this] { close(); };
+    std::function<void()> resizing = [this] { fit_to_size(); };
+    std::function<void()> drawing = [this] { zoomed(); };
+    observe(interactor_, vtkCommand::ExitEvent, closing);
+    observe(interactor_, vtkCommand::ConfigureEvent, resizing);
+    observe(page_.drawing(), vtkCommand::StartEvent, drawing);
+    interactor_->Initialize();
+    window_->Render();
+    // Not Start(): in VTK 9.1 its end destroys what is still in use. The flag is all that closing
+    // does.
+    while (!closed_) {
+        interactor_->ProcessEvents();
+        if (each_turn) each_turn();
+        if (!closed_) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    interactor_->RemoveAllObservers();
+    page_.drawing()->RemoveAllObservers();
+}
+
+}  // namespace detail
+
+Result<void> show(const DrawList& list, const ShowOptions& options) {
+    auto connection = detail::XConnection::open("");
+    if (!connection) return tl::unexpected(connection.error());
+    detail::Window(list, options, connection->handle()).run();
+    return {};
+}
+
+}  // namespace sightline::viz
