@@ -7,17 +7,23 @@
 #include <vtkCellArray.h>
 #include <vtkCoordinate.h>
 #include <vtkDefaultPass.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "viz/triangulate.hpp"
 
@@ -233,14 +239,114 @@ void look_at(vtkRenderer* renderer, Pixel centre, double height) {
 
 }  // namespace
 
+struct VtkPage::Parts {
+    Parts(Layout arranged, double pixels_a_unit)
+        : layout(std::move(arranged)),
+          scale(pixels_a_unit),
+          height(layout.height),
+          data(layout.data) {}
+
+    Layout layout;
+    double scale;
+    double height;   ///< of the layout that the drawing's coordinates come from
+    Rectangle data;  ///< of that layout
+    vtkNew<vtkRenderer> page;
+    vtkNew<vtkRenderer> drawing;
+    std::vector<std::pair<vtkSmartPointer<vtkGlyph3DMapper>, double>>
+        markers;  ///< with their sizes
+
+    [[nodiscard]] Pixel upwards(Pixel p) const noexcept { return {p.x, height - p.y}; }
+    [[nodiscard]] std::vector<Pixel> pixels(std::span<const Position> points) const {
+        std::vector<Pixel> result;
+        for (const Position& p : points) result.push_back(upwards(layout.to_pixel(p)));
+        return result;
+    }
+    void fill_page();
+    void add_layer(const Layer& layer, double z);
+    void add_filled(Mesh& areas, const Polygon& polygon) const;
+    void add_labels();
+    void place_drawing();
+};
+
+void VtkPage::Parts::place_drawing() {
+    const auto& [x, y, width, down] = layout.data;
+    drawing->SetViewport(x / layout.width, 1 - (y + down) / layout.height,
+                         (x + width) / layout.width, 1 - y / layout.height);
+}
+
+void VtkPage::Parts::fill_page() {
+    const double top = layout.height;
+    look_at(page, {layout.width / 2, top / 2}, top);
+    Rectangle around = layout.data;
+    around = {around.x - 1, around.y - 1, around.width + 2, around.height + 2};
+    Mesh frame(0);
+    frame.convex(corners_of(around, top));
+    add_areas(page, frame, {153, 153, 153}, 1);
+    for (const LegendRow& row : layout.legend) add_sample(page, row, top, scale);
+    if (layout.scale_bar) {
+        const auto [left, right] = *layout.scale_bar;
+        const double y = top - left.y;
+        Mesh bar(0);
+        bar.line(std::vector<Pixel>{{left.x, y}, {right.x, y}}, false);
+        for (const double x : {left.x, right.x})
+            bar.line(std::vector<Pixel>{{x, y - 4}, {x, y + 4}}, false);
+        add_lines(page, bar, {.colour = {40, 40, 40}, .width = 1.5}, scale);
+    }
+    for (const PlacedText& text : layout.texts) {
+        add_text(page, text, {text.at.x, top - text.at.y}, scale, nullptr);
+    }
+}
+
+void VtkPage::Parts::add_filled(Mesh& areas, const Polygon& polygon) const {
+    const Triangles filled = triangulate(polygon);
+    std::vector<vtkIdType> corner;
+    for (const Pixel& p : pixels(filled.points)) corner.push_back(areas.point(p));
+    for (const auto& [a, b, c] : filled.triangles) areas.triangle(corner[a], corner[b], corner[c]);
+}
+
+void VtkPage::Parts::add_layer(const Layer& layer, double z) {
+    const Style& style = layer.style;
+    Mesh areas(z);
+    Mesh lines(z);
+    std::vector<Pixel> joints;
+    for (const Polygon& polygon : layer.polygons) {
+        if (style.fill_opacity > 0) add_filled(areas, polygon);
+        lines.line(pixels(polygon.outer), true);
+        for (const auto& hole : polygon.holes) lines.line(pixels(hole), true);
+    }
+    for (const Polyline& line : layer.polylines) {
+        const std::vector<Pixel> chain = pixels(line.points);
+        lines.line(chain, false);
+        joints.insert(joints.end(), chain.begin(), chain.end());
+    }
+    for (std::size_t i = 0; i + 1 < layer.segments.size(); i += 2) {
+        lines.line(pixels(std::span(layer.segments).subspan(i, 2)), false);
+    }
+    add_areas(drawing, areas, style.fill, style.fill_opacity);
+    add_lines(drawing, lines, style, scale);
+    const auto mark = [&](std::span<const Pixel> places, Marker marker, double size) {
+        markers.emplace_back(
+            add_markers(drawing, places, z, marker, size, style.colour, style.opacity), size);
+    };
+    // Round joints and ends: wide lines of OpenGL have gaps at turns.
+    if (!joints.empty() && style.width >= 2 && style.opacity == 1)
+        mark(joints, Marker::disc, style.width);
+    if (!layer.points.empty() && style.marker != Marker::none) {
+        mark(pixels(layer.points), style.marker, style.marker_size);
+    }
+}
+
+void VtkPage::Parts::add_labels() {
+    for (const PlacedText& label : layout.labels) {
+        const Pixel anchor = upwards(label.anchor);
+        const Pixel at = upwards(label.at);
+        add_text(drawing, label, {at.x - anchor.x, at.y - anchor.y}, scale, &anchor);
+    }
+}
+
 VtkPage::VtkPage(const DrawList& list, Layout layout, double scale)
-    : layout_(std::move(layout)),
-      scale_(scale),
-      height_(layout_.height),
-      data_(layout_.data),
-      page_(vtkSmartPointer<vtkRenderer>::New()),
-      drawing_(vtkSmartPointer<vtkRenderer>::New()) {
-    for (vtkRenderer* renderer : {page_.Get(), drawing_.Get()}) {
+    : parts_(std::make_unique<Parts>(std::move(layout), scale)) {
+    for (vtkRenderer* renderer : {page(), drawing()}) {
         renderer->SetBackground(1, 1, 1);
         // VTK's own way with translucent things mixes their colours without an order.
         vtkNew<vtkDefaultPass> in_order;
@@ -248,109 +354,36 @@ VtkPage::VtkPage(const DrawList& list, Layout layout, double scale)
         pass->SetDelegatePass(in_order);
         renderer->SetPass(pass);
     }
-    fill_page();
-    fill_drawing(list);
-    place_drawing();
+    parts_->fill_page();
+    double z = 0;
+    for (const Layer& layer : list.layers) parts_->add_layer(layer, z++);
+    parts_->add_labels();
+    parts_->place_drawing();
     reset_camera();
 }
 
+VtkPage::~VtkPage() = default;
+
+vtkRenderer* VtkPage::page() const { return parts_->page; }
+vtkRenderer* VtkPage::drawing() const { return parts_->drawing; }
+const Layout& VtkPage::layout() const noexcept { return parts_->layout; }
+
 void VtkPage::magnify(double factor) {
-    for (const auto& [mapper, size] : markers_) mapper->SetScaleFactor(size / factor);
+    for (const auto& [mapper, size] : parts_->markers) mapper->SetScaleFactor(size / factor);
 }
 
 void VtkPage::rearrange(Layout layout) {
-    layout_ = std::move(layout);
-    page_->RemoveAllViewProps();
-    fill_page();
-    place_drawing();
+    parts_->layout = std::move(layout);
+    parts_->page->RemoveAllViewProps();
+    parts_->fill_page();
+    parts_->place_drawing();
 }
 
 void VtkPage::reset_camera() {
-    const Pixel centre = upwards({data_.x + data_.width / 2, data_.y + data_.height / 2});
-    look_at(drawing_, centre, data_.height);
+    const Rectangle& data = parts_->data;
+    look_at(drawing(), parts_->upwards({data.x + data.width / 2, data.y + data.height / 2}),
+            data.height);
     magnify(1);
-}
-
-void VtkPage::place_drawing() {
-    const auto& [x, y, width, height] = layout_.data;
-    drawing_->SetViewport(x / layout_.width, 1 - (y + height) / layout_.height,
-                          (x + width) / layout_.width, 1 - y / layout_.height);
-}
-
-void VtkPage::fill_page() {
-    const double height = layout_.height;
-    look_at(page_, {layout_.width / 2, height / 2}, height);
-    Rectangle around = layout_.data;
-    around = {around.x - 1, around.y - 1, around.width + 2, around.height + 2};
-    Mesh frame(0);
-    frame.convex(corners_of(around, height));
-    add_areas(page_, frame, {153, 153, 153}, 1);
-    for (const LegendRow& row : layout_.legend) add_sample(page_, row, height, scale_);
-    if (layout_.scale_bar) {
-        const auto [left, right] = *layout_.scale_bar;
-        const double y = height - left.y;
-        Mesh bar(0);
-        bar.line(std::vector<Pixel>{{left.x, y}, {right.x, y}}, false);
-        for (const double x : {left.x, right.x})
-            bar.line(std::vector<Pixel>{{x, y - 4}, {x, y + 4}}, false);
-        add_lines(page_, bar, {.colour = {40, 40, 40}, .width = 1.5}, scale_);
-    }
-    for (const PlacedText& text : layout_.texts) {
-        add_text(page_, text, {text.at.x, height - text.at.y}, scale_, nullptr);
-    }
-}
-
-void VtkPage::fill_drawing(const DrawList& list) {
-    const auto pixel = [&](const Position& p) { return upwards(layout_.to_pixel(p)); };
-    const auto pixels = [&](std::span<const Position> points) {
-        std::vector<Pixel> result;
-        for (const Position& p : points) result.push_back(pixel(p));
-        return result;
-    };
-    double z = 0;
-    for (const Layer& layer : list.layers) {
-        Mesh areas(z);
-        Mesh lines(z);
-        std::vector<Pixel> joints;
-        for (const Polygon& polygon : layer.polygons) {
-            if (layer.style.fill_opacity > 0) {
-                const Triangles filled = triangulate(polygon);
-                std::vector<vtkIdType> corner;
-                for (const Position& p : filled.points) corner.push_back(areas.point(pixel(p)));
-                for (const auto& [a, b, c] : filled.triangles)
-                    areas.triangle(corner[a], corner[b], corner[c]);
-            }
-            if (layer.style.width == 0) continue;
-            lines.line(pixels(polygon.outer), true);
-            for (const auto& hole : polygon.holes) lines.line(pixels(hole), true);
-        }
-        for (const Polyline& line : layer.polylines) {
-            lines.line(pixels(line.points), false);
-            for (const Position& p : line.points) joints.push_back(pixel(p));
-        }
-        for (std::size_t i = 0; i + 1 < layer.segments.size(); i += 2) {
-            lines.line(pixels(std::span(layer.segments).subspan(i, 2)), false);
-        }
-        const Style& style = layer.style;
-        add_areas(drawing_, areas, style.fill, style.fill_opacity);
-        add_lines(drawing_, lines, style, scale_);
-        const auto mark = [&](std::span<const Pixel> places, Marker marker, double size) {
-            markers_.emplace_back(
-                add_markers(drawing_, places, z, marker, size, style.colour, style.opacity), size);
-        };
-        // Round joints and ends: wide lines of OpenGL have gaps at turns.
-        if (!joints.empty() && style.width >= 2 && style.opacity == 1)
-            mark(joints, Marker::disc, style.width);
-        if (!layer.points.empty() && style.marker != Marker::none) {
-            mark(pixels(layer.points), style.marker, style.marker_size);
-        }
-        z += 1;
-    }
-    for (const PlacedText& label : layout_.labels) {
-        const Pixel anchor = upwards(label.anchor);
-        const Pixel at = upwards(label.at);
-        add_text(drawing_, label, {at.x - anchor.x, at.y - anchor.y}, scale_, &anchor);
-    }
 }
 
 }  // namespace sightline::viz::detail

@@ -5,6 +5,9 @@
 #include <vtkInteractorStyle.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 
 #include <chrono>
 #include <cmath>
@@ -110,57 +113,72 @@ Layout layout_for(const DrawList& list, int width, int height) {
 
 }  // namespace
 
+struct Window::Parts {
+    Parts(const DrawList& shown, const ShowOptions& options)
+        : list(shown),
+          page(shown,
+               layout_for(shown, static_cast<int>(options.width), static_cast<int>(options.height)),
+               1),
+          first_scale(camera()->GetParallelScale()) {}
+
+    [[nodiscard]] vtkCamera* camera() const { return page.drawing()->GetActiveCamera(); }
+    void fit_to_size() {
+        const int* size = window->GetSize();
+        page.rearrange(layout_for(list, size[0], size[1]));
+    }
+
+    const DrawList& list;
+    VtkPage page;
+    double first_scale;
+    vtkNew<vtkRenderWindow> window;
+    vtkNew<vtkRenderWindowInteractor> interactor;
+    bool closed = false;
+};
+
 Window::Window(const DrawList& list, const ShowOptions& options, void* display)
-    : list_(list),
-      page_(list,
-            layout_for(list, static_cast<int>(options.width), static_cast<int>(options.height)), 1),
-      window_(vtkSmartPointer<vtkRenderWindow>::New()),
-      interactor_(vtkSmartPointer<vtkRenderWindowInteractor>::New()),
-      first_scale_(page_.drawing()->GetActiveCamera()->GetParallelScale()) {
-    window_->SetDisplayId(display);
-    window_->SetMultiSamples(0);
-    window_->SetAlphaBitPlanes(1);
-    window_->SetSize(static_cast<int>(options.width), static_cast<int>(options.height));
-    window_->SetWindowName(list.title.empty() ? "sightline" : list.title.c_str());
-    window_->AddRenderer(page_.page());
-    window_->AddRenderer(page_.drawing());
-    interactor_->SetRenderWindow(window_);
+    : parts_(std::make_unique<Parts>(list, options)) {
+    vtkRenderWindow* window = parts_->window;
+    window->SetDisplayId(display);
+    window->SetMultiSamples(0);
+    window->SetAlphaBitPlanes(1);
+    window->SetSize(static_cast<int>(options.width), static_cast<int>(options.height));
+    window->SetWindowName(list.title.empty() ? "sightline" : list.title.c_str());
+    window->AddRenderer(parts_->page.page());
+    window->AddRenderer(parts_->page.drawing());
+    parts_->interactor->SetRenderWindow(window);
     vtkNew<PlaneStyle> style;
-    style->drawing = page_.drawing();
-    style->SetDefaultRenderer(page_.drawing());
-    style->reset = [this] { page_.reset_camera(); };
-    interactor_->SetInteractorStyle(style);
+    style->drawing = parts_->page.drawing();
+    style->SetDefaultRenderer(style->drawing);
+    style->reset = [this] { parts_->page.reset_camera(); };
+    parts_->interactor->SetInteractorStyle(style);
 }
 
 Window::~Window() = default;
 
-void Window::fit_to_size() {
-    const int* size = window_->GetSize();
-    page_.rearrange(layout_for(list_, size[0], size[1]));
-}
-
-void Window::zoomed() {
-    page_.magnify(first_scale_ / page_.drawing()->GetActiveCamera()->GetParallelScale());
-}
+vtkRenderWindowInteractor* Window::interactor() const { return parts_->interactor; }
+vtkRenderWindow* Window::window() const { return parts_->window; }
+const VtkPage& Window::page() const { return parts_->page; }
 
 void Window::run(const std::function<void()>& each_turn) {
-    std::function<void()> closing = [this] { close(); };
-    std::function<void()> resizing = [this] { fit_to_size(); };
-    std::function<void()> drawing = [this] { zoomed(); };
-    observe(interactor_, vtkCommand::ExitEvent, closing);
-    observe(interactor_, vtkCommand::ConfigureEvent, resizing);
-    observe(page_.drawing(), vtkCommand::StartEvent, drawing);
-    interactor_->Initialize();
-    window_->Render();
-    // Not Start(): in VTK 9.1 its end destroys what is still in use. The flag is all that closing
-    // does.
-    while (!closed_) {
-        interactor_->ProcessEvents();
+    Parts& parts = *parts_;
+    std::function<void()> closing = [&] { parts.closed = true; };
+    std::function<void()> resizing = [&] { parts.fit_to_size(); };
+    std::function<void()> drawing = [&] {
+        parts.page.magnify(parts.first_scale / parts.camera()->GetParallelScale());
+    };
+    observe(parts.interactor, vtkCommand::ExitEvent, closing);
+    observe(parts.interactor, vtkCommand::ConfigureEvent, resizing);
+    observe(parts.page.drawing(), vtkCommand::StartEvent, drawing);
+    parts.interactor->Initialize();
+    parts.window->Render();
+    // Not Start(): in VTK 9.1 its end destroys what is still in use. The flag is all that closing does.
+    while (!parts.closed) {
+        parts.interactor->ProcessEvents();
         if (each_turn) each_turn();
-        if (!closed_) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        if (!parts.closed) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    interactor_->RemoveAllObservers();
-    page_.drawing()->RemoveAllObservers();
+    parts.interactor->RemoveAllObservers();
+    parts.page.drawing()->RemoveAllObservers();
 }
 
 }  // namespace detail

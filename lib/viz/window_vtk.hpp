@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkSmartPointer.h>
-
 #include <functional>
+#include <memory>
 
 #include "sightline/viz/render.hpp"
 #include "viz/scene_vtk.hpp"
+
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
 
 namespace sightline::viz::detail {
 
@@ -25,21 +25,13 @@ public:
     /// is called once a round.
     void run(const std::function<void()>& each_turn = {});
 
-    [[nodiscard]] vtkRenderWindowInteractor* interactor() const { return interactor_; }
-    [[nodiscard]] vtkRenderWindow* window() const { return window_; }
-    [[nodiscard]] const VtkPage& page() const noexcept { return page_; }
+    [[nodiscard]] vtkRenderWindowInteractor* interactor() const;
+    [[nodiscard]] vtkRenderWindow* window() const;
+    [[nodiscard]] const VtkPage& page() const;
 
 private:
-    void close() { closed_ = true; }
-    void fit_to_size();
-    void zoomed();
-
-    const DrawList& list_;
-    VtkPage page_;
-    vtkSmartPointer<vtkRenderWindow> window_;
-    vtkSmartPointer<vtkRenderWindowInteractor> interactor_;
-    double first_scale_;
-    bool closed_ = false;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace sightline::viz::detail

@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 
 #include <optional>
 
