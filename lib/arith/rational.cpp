@@ -182,7 +182,7 @@ std::string Rational::numerator() const { return digits_of(mpq_numref(mpq())); }
 std::string Rational::denominator() const { return digits_of(mpq_denref(mpq())); }
 
 std::size_t Rational::hash() const noexcept {
-    std::uint64_t h = sign() == Sign::negative ? 1 : 0;
+    std::uint64_t h = sign() == Sign::negative ? 0x94d049bb133111ebU : 0;
     h = mix(h, mpq_numref(mpq()));
     return mix(mix(h, std::uint64_t{'/'}), mpq_denref(mpq()));
 }
@@ -200,6 +200,17 @@ Rational denominator_of(const Rational& x) {
     Rational result;
     mpq_init(&result.q_);
     mpz_set(mpq_numref(&result.q_), mpq_denref(x.mpq()));
+    return result;
+}
+
+std::optional<Rational> rational_square_root(const Rational& x) {
+    const mpz_srcptr n = mpq_numref(x.mpq());
+    const mpz_srcptr d = mpq_denref(x.mpq());
+    if (mpz_perfect_square_p(n) == 0 || mpz_perfect_square_p(d) == 0) return std::nullopt;
+    Rational result;
+    mpq_init(&result.q_);
+    mpz_sqrt(mpq_numref(&result.q_), n);
+    mpz_sqrt(mpq_denref(&result.q_), d);
     return result;
 }
 

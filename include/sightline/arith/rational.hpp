@@ -109,6 +109,7 @@ public:
     friend std::ostream& operator<<(std::ostream& out, const Rational& x);
     friend Rational numerator_of(const Rational& x);
     friend Rational denominator_of(const Rational& x);
+    friend std::optional<Rational> rational_square_root(const Rational& x);
 
 private:
     void set(long value);
@@ -126,6 +127,9 @@ private:
 [[nodiscard]] Rational numerator_of(const Rational& x);
 /// The denominator of x in lowest terms; positive.
 [[nodiscard]] Rational denominator_of(const Rational& x);
+
+/// √x when that is a rational number, else empty; empty for negative x.
+[[nodiscard]] std::optional<Rational> rational_square_root(const Rational& x);
 
 /// |x|.
 [[nodiscard]] inline Rational abs(const Rational& x) { return x.sign() == Sign::negative ? -x : x; }
