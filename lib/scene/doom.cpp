@@ -53,18 +53,21 @@ Result<std::vector<Lump>> directory_of(Bytes wad, const std::string& file) {
     constexpr std::size_t entry_size = 16;
     const std::string magic = wad.size() < header_size ? "" : name_at(wad.first(8), 0).substr(0, 4);
     if (magic != "IWAD" && magic != "PWAD") {
-        return fail(Errc::syntax, place(file) + "not a WAD (no IWAD or PWAD at the start); give a Doom WAD file");
+        return fail(Errc::syntax,
+                    place(file) + "not a WAD (no IWAD or PWAD at the start); give a Doom WAD file");
     }
     const std::uint64_t count = double_word_at(wad, 4);
     const std::uint64_t start = double_word_at(wad, 8);
     if (start + count * entry_size > wad.size()) {
-        return fail(Errc::syntax, place(file) + "the directory of " + std::to_string(count) +
-                                      " lumps ends beyond the file; the file may be cut short, fetch it again");
+        return fail(Errc::syntax,
+                    place(file) + "the directory of " + std::to_string(count) +
+                        " lumps ends beyond the file; the file may be cut short, fetch it again");
     }
     std::vector<Lump> lumps;
     lumps.reserve(count);
     for (std::size_t at = start; at < start + count * entry_size; at += entry_size) {
-        lumps.push_back({name_at(wad, at + 8), double_word_at(wad, at), double_word_at(wad, at + 4)});
+        lumps.push_back(
+            {name_at(wad, at + 8), double_word_at(wad, at), double_word_at(wad, at + 4)});
     }
     return lumps;
 }
@@ -107,16 +110,18 @@ std::vector<std::string> markers_of(std::span<const Lump> lumps) {
 Result<Bytes> bytes_of(Bytes wad, const Lump* lump, std::string_view name, std::size_t record,
                        const std::string& where) {
     if (lump == nullptr) {
-        return fail(Errc::syntax, where + "has no " + std::string(name) + " lump; choose another map");
+        return fail(Errc::syntax,
+                    where + "has no " + std::string(name) + " lump; choose another map");
     }
     if (std::uint64_t{lump->offset} + lump->size > wad.size()) {
-        return fail(Errc::syntax, where + "the lump " + lump->name +
-                                      " ends beyond the file; the file may be cut short, fetch it again");
+        return fail(Errc::syntax,
+                    where + "the lump " + lump->name +
+                        " ends beyond the file; the file may be cut short, fetch it again");
     }
     if (lump->size % record != 0) {
-        return fail(Errc::syntax, where + "the lump " + lump->name + " has " + std::to_string(lump->size) +
-                                      " bytes, not a multiple of " + std::to_string(record) +
-                                      "; choose another map");
+        return fail(Errc::syntax, where + "the lump " + lump->name + " has " +
+                                      std::to_string(lump->size) + " bytes, not a multiple of " +
+                                      std::to_string(record) + "; choose another map");
     }
     return wad.subspan(lump->offset, lump->size);
 }
@@ -138,15 +143,17 @@ Result<Segments> segments_of(const Linedefs& data, bool all_lines, const std::st
         const std::size_t u = word_at(data.lines, at);
         const std::size_t v = word_at(data.lines, at + 2);
         if (u >= vertex_count || v >= vertex_count) {
-            return fail(Errc::syntax, where + "linedef " + std::to_string(at / data.record) + " names vertex " +
-                                          std::to_string(std::max(u, v)) + " of " +
-                                          std::to_string(vertex_count) + "; choose another map");
+            return fail(Errc::syntax, where + "linedef " + std::to_string(at / data.record) +
+                                          " names vertex " + std::to_string(std::max(u, v)) +
+                                          " of " + std::to_string(vertex_count) +
+                                          "; choose another map");
         }
         const bool right = word_at(data.lines, at + data.record - 4) != no_side;
         const bool left = word_at(data.lines, at + data.record - 2) != no_side;
         if (!all_lines && right && left) continue;
         const auto point = [&](std::size_t i) {
-            return Point2{coordinate_at(data.vertices, 4 * i), coordinate_at(data.vertices, 4 * i + 2)};
+            return Point2{coordinate_at(data.vertices, 4 * i),
+                          coordinate_at(data.vertices, 4 * i + 2)};
         };
         if (point(u) != point(v)) segments.emplace_back(point(u), point(v));
     }
@@ -167,7 +174,8 @@ public:
 
     [[nodiscard]] SceneInput2 walls() {
         SceneInput2 scene;
-        for (const bool closed : {false, true}) {  // first from all ends and branchings, then the closed chains
+        for (const bool closed :
+             {false, true}) {  // first from all ends and branchings, then the closed chains
             for (auto& [at, neighbours] : neighbours_) {
                 if (!closed && neighbours.size() == 2) continue;
                 starts_.push_back({at, {neighbours.begin(), neighbours.end()}});
@@ -218,32 +226,37 @@ Result<std::vector<std::byte>> read_file(const std::string& path) {
     std::vector<char> text;
     if (stream) text.assign(std::istreambuf_iterator<char>(stream), {});
     if (!stream || stream.bad()) {
-        return fail(Errc::cannot_open, path + ": cannot be read; check the path and its permissions");
+        return fail(Errc::cannot_open,
+                    path + ": cannot be read; check the path and its permissions");
     }
     const auto bytes = std::as_bytes(std::span(text));
     return std::vector<std::byte>(bytes.begin(), bytes.end());
 }
 
-Result<std::size_t> marker_of(std::span<const Lump> lumps, std::string_view map, const std::string& file) {
+Result<std::size_t> marker_of(std::span<const Lump> lumps, std::string_view map,
+                              const std::string& file) {
     std::string name(map);
     for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     for (std::size_t i = 0; i < lumps.size(); ++i) {
         if (lumps[i].name != name || is_map_lump(lumps[i])) continue;
         if (i + 1 < lumps.size() && lumps[i + 1].name == "TEXTMAP") {
-            return fail(Errc::unsupported, place(file) + "map " + name +
-                                               " is a UDMF text map; convert it to Doom's binary format");
+            return fail(Errc::unsupported,
+                        place(file) + "map " + name +
+                            " is a UDMF text map; convert it to Doom's binary format");
         }
         if (is_marker(lumps, i)) return i;
     }
     const std::vector<std::string> names = markers_of(lumps);
-    return fail(Errc::bad_parameter, place(file) + "there is no map '" + std::string(map) + "'; " +
-                                         (names.empty() ? "the file has no maps" : "give one of " + listed(names)));
+    return fail(Errc::bad_parameter,
+                place(file) + "there is no map '" + std::string(map) + "'; " +
+                    (names.empty() ? "the file has no maps" : "give one of " + listed(names)));
 }
 
 }  // namespace
 
 Result<std::vector<std::string>> doom_maps(Bytes wad, const std::string& file) {
-    return directory_of(wad, file).map([](const std::vector<Lump>& lumps) { return markers_of(lumps); });
+    return directory_of(wad, file).map(
+        [](const std::vector<Lump>& lumps) { return markers_of(lumps); });
 }
 
 Result<std::vector<std::string>> doom_maps(const std::string& path) {
@@ -260,11 +273,14 @@ Result<SceneInput2> read_doom(Bytes wad, std::string_view map, const DoomOptions
     if (!marker) return tl::unexpected<Error>(marker.error());
     const std::string where = place(file) + "map " + (*lumps)[*marker].name + ": ";
     const std::size_t record = find_lump(*lumps, *marker, "BEHAVIOR") != nullptr ? 16 : 14;
-    const auto vertices = bytes_of(wad, find_lump(*lumps, *marker, "VERTEXES"), "VERTEXES", 4, where);
+    const auto vertices =
+        bytes_of(wad, find_lump(*lumps, *marker, "VERTEXES"), "VERTEXES", 4, where);
     if (!vertices) return tl::unexpected<Error>(vertices.error());
-    const auto lines = bytes_of(wad, find_lump(*lumps, *marker, "LINEDEFS"), "LINEDEFS", record, where);
+    const auto lines =
+        bytes_of(wad, find_lump(*lumps, *marker, "LINEDEFS"), "LINEDEFS", record, where);
     if (!lines) return tl::unexpected<Error>(lines.error());
-    const Result<Segments> segments = segments_of({*vertices, *lines, record}, options.all_lines, where);
+    const Result<Segments> segments =
+        segments_of({*vertices, *lines, record}, options.all_lines, where);
     if (!segments) return tl::unexpected<Error>(segments.error());
     if (segments->empty()) {
         return fail(Errc::empty_scene, where + "no linedef is a wall; try all lines");
@@ -274,7 +290,8 @@ Result<SceneInput2> read_doom(Bytes wad, std::string_view map, const DoomOptions
     return scene;
 }
 
-Result<SceneInput2> read_doom(const std::string& path, std::string_view map, const DoomOptions& options) {
+Result<SceneInput2> read_doom(const std::string& path, std::string_view map,
+                              const DoomOptions& options) {
     const Result<std::vector<std::byte>> wad = read_file(path);
     if (!wad) return tl::unexpected<Error>(wad.error());
     return read_doom(*wad, map, options, path);

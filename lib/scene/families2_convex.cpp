@@ -69,7 +69,8 @@ IntRing shrunk(const IntRing& quad) {
     IntPoint sum{};
     for (const IntPoint p : quad) sum = sum + p;
     IntRing result;
-    for (const IntPoint p : quad) result.push_back({(11 * p.x + sum.x / 4) / 12, (11 * p.y + sum.y / 4) / 12});
+    for (const IntPoint p : quad)
+        result.push_back({(11 * p.x + sum.x / 4) / 12, (11 * p.y + sum.y / 4) / 12});
     return result;
 }
 
@@ -79,7 +80,8 @@ IntRing cut_to(Rng& rng, const IntRing& quad, std::size_t k) {
     rng.shuffle(order);
     IntRing ring;
     for (std::size_t i = 0; i < 4; ++i) {
-        const auto rank = static_cast<std::size_t>(std::find(order.begin(), order.end(), i) - order.begin());
+        const auto rank =
+            static_cast<std::size_t>(std::find(order.begin(), order.end(), i) - order.begin());
         const IntPoint p = quad[i];
         if (k == 3 && rank == 0) continue;
         if (k <= 4 || rank >= k - 4) {
@@ -147,7 +149,8 @@ SceneInput2 scaled_convex(const ScaledConvex& parameters, std::uint64_t seed) {
     SIGHTLINE_EXPECT(parameters.exponent >= -1074 && parameters.exponent <= 990);
     SceneInput2 scene = random_convex({.vertices = parameters.vertices}, seed);
     const auto scale = [&](Ring2& ring) {
-        for (Point2& p : ring) p = {std::ldexp(p.x, parameters.exponent), std::ldexp(p.y, parameters.exponent)};
+        for (Point2& p : ring)
+            p = {std::ldexp(p.x, parameters.exponent), std::ldexp(p.y, parameters.exponent)};
     };
     auto& world = std::get<Polygon2>(scene.elements.front());
     scale(world.outer);

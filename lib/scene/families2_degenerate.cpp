@@ -62,16 +62,26 @@ SceneInput2 grid_with_walls(const Grid& parameters, std::uint64_t seed) {
         for (std::int64_t i = 0; i < static_cast<std::int64_t>(parameters.columns); ++i) {
             const IntPoint corner{4 * i + 2, 4 * j + 2};  // upper right of the box
             switch (rng.below(5)) {
-                case 0: wall(corner, {-2, 0}); break;              // along a whole side
-                case 1: wall(corner + IntPoint{-1, 0}, {3, 0}); break;  // along half a side and across
-                case 2: wall(corner + IntPoint{0, -1}, {2, 0}); break;  // from side to side
-                case 3: wall(corner, {0, 1}); break;               // a stub
-                default: break;
+                case 0:
+                    wall(corner, {-2, 0});
+                    break;  // along a whole side
+                case 1:
+                    wall(corner + IntPoint{-1, 0}, {3, 0});
+                    break;  // along half a side and across
+                case 2:
+                    wall(corner + IntPoint{0, -1}, {2, 0});
+                    break;  // from side to side
+                case 3:
+                    wall(corner, {0, 1});
+                    break;  // a stub
+                default:
+                    break;
             }
             if (!rng.one_in(2)) continue;
             wall(corner, {2, 2});
             wall(corner + IntPoint{2, 0}, {-2, 2});
-            if (++crossings % 3 == 0) scene.elements.emplace_back(to_point(corner + IntPoint{1, 1}));
+            if (++crossings % 3 == 0)
+                scene.elements.emplace_back(to_point(corner + IntPoint{1, 1}));
         }
     }
     return scene;
@@ -116,15 +126,20 @@ struct ChainEnd {
 
 IntRing next_link(Rng& rng, ChainKind kind, ChainEnd& end) {
     constexpr std::int64_t size = 8;
-    const std::uint64_t choice = kind == ChainKind::corners ? 0 : kind == ChainKind::edges ? 1 : rng.below(4);
-    const std::int64_t inside = end.high > end.low ? rng.between(end.low + 1, end.high - 1) : end.low;
+    const std::uint64_t choice = kind == ChainKind::corners ? 0
+                                 : kind == ChainKind::edges ? 1
+                                                            : rng.below(4);
+    const std::int64_t inside =
+        end.high > end.low ? rng.between(end.low + 1, end.high - 1) : end.low;
     if (choice == 3) {  // a diamond: its left tip touches the inside of the side (or the tip)
-        const IntRing diamond{{end.x, inside}, {end.x + size, inside - size}, {end.x + 2 * size, inside},
+        const IntRing diamond{{end.x, inside},
+                              {end.x + size, inside - size},
+                              {end.x + 2 * size, inside},
                               {end.x + size, inside + size}};
         end = {end.x + 2 * size, inside, inside};
         return diamond;
     }
-    std::int64_t low = end.low;                    // the whole side
+    std::int64_t low = end.low;                                        // the whole side
     if (choice == 0) low = rng.one_in(2) ? end.high : end.low - size;  // a corner
     if (choice == 1) low = rng.one_in(2) ? inside : inside - size;     // a piece
     const IntRing link = box(end.x, low, end.x + size, low + size);
@@ -171,7 +186,8 @@ SceneInput2 pinched(const Pinched& parameters, std::uint64_t seed) {
     }
     for (std::int64_t i = 0; i < lobes; ++i) {
         const std::int64_t x = 8 * i + 4;
-        const IntPoint touch = rng.one_in(2) ? IntPoint{x, -4} : IntPoint{x - 1, -3};  // a corner or an edge
+        const IntPoint touch =
+            rng.one_in(2) ? IntPoint{x, -4} : IntPoint{x - 1, -3};  // a corner or an edge
         polygon.holes.push_back(to_ring({touch, {x + 1, 1}, {x - 1, 1}}));
     }
     SceneInput2 scene;

@@ -18,7 +18,9 @@ Ring2 to_ring(const IntRing& ring) {
 
 Polygon2 to_polygon(const IntRing& ring) { return {to_ring(ring), {}}; }
 
-Polyline2 to_wall(IntPoint source, IntPoint target) { return {{to_point(source), to_point(target)}}; }
+Polyline2 to_wall(IntPoint source, IntPoint target) {
+    return {{to_point(source), to_point(target)}};
+}
 
 IntRing box(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1) {
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
@@ -52,7 +54,8 @@ bool an_edge_separates(const IntRing& a, const IntRing& b) {
     for (std::size_t i = 0, n = a.size(); i < n; ++i) {
         const IntPoint p = a[i];
         const IntPoint q = a[i + 1 == n ? 0 : i + 1];
-        if (std::all_of(b.begin(), b.end(), [&](IntPoint r) { return cross(p, q, r) < 0; })) return true;
+        if (std::all_of(b.begin(), b.end(), [&](IntPoint r) { return cross(p, q, r) < 0; }))
+            return true;
     }
     return false;
 }
@@ -165,7 +168,9 @@ std::int64_t ceil_sqrt(std::uint64_t n) {
 }
 
 Placer::Placer(std::int64_t extent, std::size_t expected)
-    : extent_(extent), side_(static_cast<std::size_t>(ceil_sqrt(expected + 1))), cells_(side_ * side_) {
+    : extent_(extent),
+      side_(static_cast<std::size_t>(ceil_sqrt(expected + 1))),
+      cells_(side_ * side_) {
     rings_.reserve(expected);
 }
 

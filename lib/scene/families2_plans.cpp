@@ -36,7 +36,8 @@ void add_block(Rng& rng, const Block& b, SceneInput2& scene) {
         case 0:  // one house
             return add(box(b.x0, b.y0, b.x1, b.y1));
         case 1:  // an L
-            return add({{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, my}, {mx, my}, {mx, b.y1}, {b.x0, b.y1}});
+            return add(
+                {{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, my}, {mx, my}, {mx, b.y1}, {b.x0, b.y1}});
         case 2: {  // a courtyard
             Polygon2 house = to_polygon(box(b.x0, b.y0, b.x1, b.y1));
             house.holes.push_back(to_ring(box(b.x0 + 3, b.y0 + 3, b.x1 - 3, b.y1 - 3)));
@@ -99,7 +100,8 @@ public:
     [[nodiscard]] std::int64_t width() const { return width_; }
     [[nodiscard]] std::int64_t height() const { return height_; }
     [[nodiscard]] bool is_free(IntPoint cell) const {
-        return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_ && free_[index(cell)];
+        return cell.x >= 0 && cell.y >= 0 && cell.x < width_ && cell.y < height_ &&
+               free_[index(cell)];
     }
     void set(IntPoint cell, bool free) { free_[index(cell)] = free; }
     [[nodiscard]] std::size_t index(IntPoint cell) const {
@@ -212,7 +214,8 @@ Raster smoothed(const Raster& raster) {
         for (std::int64_t x = 0; x < raster.width(); ++x) {
             int free = 0;
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
-                for (std::int64_t dx = -1; dx <= 1; ++dx) free += raster.is_free({x + dx, y + dy}) ? 1 : 0;
+                for (std::int64_t dx = -1; dx <= 1; ++dx)
+                    free += raster.is_free({x + dx, y + dy}) ? 1 : 0;
             }
             result.set({x, y}, free >= 5);
         }
@@ -266,7 +269,8 @@ void divide(Rng& rng, const Block& b, std::vector<Partition>& walls) {
     wall.from = vertical ? b.y0 : b.x0;
     wall.to = vertical ? b.y1 : b.x1;
     wall.doors.push_back(rng.between(wall.from, wall.to - 1));
-    if (wall.to - wall.from >= 4 && rng.one_in(2)) wall.doors.push_back(rng.between(wall.from, wall.to - 1));
+    if (wall.to - wall.from >= 4 && rng.one_in(2))
+        wall.doors.push_back(rng.between(wall.from, wall.to - 1));
     std::sort(wall.doors.begin(), wall.doors.end());
     wall.doors.erase(std::unique(wall.doors.begin(), wall.doors.end()), wall.doors.end());
     const std::int64_t line = wall.line;
@@ -278,11 +282,13 @@ void divide(Rng& rng, const Block& b, std::vector<Partition>& walls) {
 /// Lattice lines of a raster in which even cells are walls, 1 wide, and odd ones unit cells, 7 wide.
 std::vector<std::int64_t> wall_and_room_lines(std::int64_t cells) {
     std::vector<std::int64_t> lines{0};
-    for (std::int64_t i = 0; i <= 2 * cells; ++i) lines.push_back(lines.back() + (i % 2 == 0 ? 1 : 7));
+    for (std::int64_t i = 0; i <= 2 * cells; ++i)
+        lines.push_back(lines.back() + (i % 2 == 0 ? 1 : 7));
     return lines;
 }
 
-SceneInput2 thick_plan(std::int64_t width, std::int64_t height, const std::vector<Partition>& walls) {
+SceneInput2 thick_plan(std::int64_t width, std::int64_t height,
+                       const std::vector<Partition>& walls) {
     Raster raster(2 * width + 1, 2 * height + 1, false);
     for (std::int64_t y = 1; y < 2 * height; ++y) {
         for (std::int64_t x = 1; x < 2 * width; ++x) raster.set({x, y}, true);
@@ -297,14 +303,16 @@ SceneInput2 thick_plan(std::int64_t width, std::int64_t height, const std::vecto
     return world_of(raster, wall_and_room_lines(width), wall_and_room_lines(height));
 }
 
-SceneInput2 thin_plan(std::int64_t width, std::int64_t height, const std::vector<Partition>& walls) {
+SceneInput2 thin_plan(std::int64_t width, std::int64_t height,
+                      const std::vector<Partition>& walls) {
     SceneInput2 scene;
     scene.world = true;
     scene.elements.emplace_back(to_polygon(box(0, 0, 8 * width, 8 * height)));
     for (const Partition& wall : walls) {
         const auto add = [&](std::int64_t from, std::int64_t to) {
             const auto at = [&](std::int64_t along) {
-                return wall.vertical ? IntPoint{8 * wall.line, along} : IntPoint{along, 8 * wall.line};
+                return wall.vertical ? IntPoint{8 * wall.line, along}
+                                     : IntPoint{along, 8 * wall.line};
             };
             scene.elements.emplace_back(to_wall(at(from), at(to)));
         };

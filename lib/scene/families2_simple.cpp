@@ -61,7 +61,8 @@ bool arrange(Rng& rng, std::span<IntPoint> chain) {
 IntRing random_points(Rng& rng, std::size_t k, std::int64_t extent) {
     IntRing points;
     while (points.size() < k) {
-        while (points.size() < k) points.push_back({rng.between(0, extent), rng.between(0, extent)});
+        while (points.size() < k)
+            points.push_back({rng.between(0, extent), rng.between(0, extent)});
         std::sort(points.begin(), points.end());
         points.erase(std::unique(points.begin(), points.end()), points.end());
     }
@@ -151,7 +152,8 @@ SceneInput2 star_shaped(const SimplePolygon& parameters, std::uint64_t seed) {
 SceneInput2 simple_polygon(const SimplePolygon& parameters, std::uint64_t seed) {
     SIGHTLINE_EXPECT(parameters.vertices >= 3 && parameters.vertices <= 1'000'000);
     Rng rng(seed);
-    return one_polygon(to_polygon(random_simple_ring(rng, parameters.vertices, plane)), parameters.world);
+    return one_polygon(to_polygon(random_simple_ring(rng, parameters.vertices, plane)),
+                       parameters.world);
 }
 
 SceneInput2 simple_polygons(const SimplePolygons& parameters, std::uint64_t seed) {

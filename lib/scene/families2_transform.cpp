@@ -81,11 +81,16 @@ Result<SceneInput2> moved(const SceneInput2& scene, const Transform& transform, 
     std::optional<Errc> failure;
     const auto apply = [&](Point2& p) {
         const MovedPoint q = move(p);
-        if (!q) failure = Errc::bad_parameter;
-        else if (!std::isfinite(q->x) || !std::isfinite(q->y)) failure = Errc::coordinate_too_large;
-        else p = *q;
+        if (!q)
+            failure = Errc::bad_parameter;
+        else if (!std::isfinite(q->x) || !std::isfinite(q->y))
+            failure = Errc::coordinate_too_large;
+        else
+            p = *q;
     };
-    const auto apply_all = [&](std::vector<Point2>& points) { std::for_each(points.begin(), points.end(), apply); };
+    const auto apply_all = [&](std::vector<Point2>& points) {
+        std::for_each(points.begin(), points.end(), apply);
+    };
     for (SceneElement2& element : result.elements) {
         std::visit(Overloaded{[&](Polygon2& polygon) {
                                   apply_all(polygon.outer);
@@ -96,20 +101,21 @@ Result<SceneInput2> moved(const SceneInput2& scene, const Transform& transform, 
     }
     if (!failure) return result;
     const bool inexact = *failure == Errc::bad_parameter;
-    return fail(*failure, to_string(transform) + (inexact ? ": a coordinate can't be kept exact; use the "
-                                                            "approx_ transform or smaller coordinates"
-                                                          : ": a coordinate overflows; use smaller ones"));
+    return fail(*failure,
+                to_string(transform) + (inexact ? ": a coordinate can't be kept exact; use the "
+                                                  "approx_ transform or smaller coordinates"
+                                                : ": a coordinate overflows; use smaller ones"));
 }
 
 bool has_finite_parameters(const Transform& transform) {
-    return std::visit(Overloaded{[](const Translation& t) { return std::isfinite(t.dx) && std::isfinite(t.dy); },
-                                 [](const ApproxTranslation& t) {
-                                     return std::isfinite(t.dx) && std::isfinite(t.dy);
-                                 },
-                                 [](const ApproxScaling& t) { return std::isfinite(t.factor); },
-                                 [](const ApproxRotation& t) { return std::isfinite(t.degrees); },
-                                 [](const auto&) { return true; }},
-                      transform);
+    return std::visit(
+        Overloaded{
+            [](const Translation& t) { return std::isfinite(t.dx) && std::isfinite(t.dy); },
+            [](const ApproxTranslation& t) { return std::isfinite(t.dx) && std::isfinite(t.dy); },
+            [](const ApproxScaling& t) { return std::isfinite(t.factor); },
+            [](const ApproxRotation& t) { return std::isfinite(t.degrees); },
+            [](const auto&) { return true; }},
+        transform);
 }
 
 MovedPoint rotated_exactly(const IntegerRotation& t, const Point2& p) {
@@ -121,8 +127,10 @@ MovedPoint rotated_exactly(const IntegerRotation& t, const Point2& p) {
 }  // namespace
 
 bool is_exact(const Transform& transform) {
-    return std::holds_alternative<Translation>(transform) || std::holds_alternative<PowerOfTwo>(transform) ||
-           std::holds_alternative<IntegerRotation>(transform) || std::holds_alternative<Mirror>(transform) ||
+    return std::holds_alternative<Translation>(transform) ||
+           std::holds_alternative<PowerOfTwo>(transform) ||
+           std::holds_alternative<IntegerRotation>(transform) ||
+           std::holds_alternative<Mirror>(transform) ||
            std::holds_alternative<Permutation>(transform);
 }
 
@@ -137,9 +145,13 @@ std::string to_string(const Transform& transform) {
             },
             [](const Mirror&) { return std::string("mirror"); },
             [](const Permutation& t) { return "permutation, seed " + std::to_string(t.seed); },
-            [&](const ApproxTranslation& t) { return "approx translation by " + vector(t.dx, t.dy); },
+            [&](const ApproxTranslation& t) {
+                return "approx translation by " + vector(t.dx, t.dy);
+            },
             [](const ApproxScaling& t) { return "approx scaling by " + number(t.factor); },
-            [](const ApproxRotation& t) { return "approx rotation by " + number(t.degrees) + " degrees"; },
+            [](const ApproxRotation& t) {
+                return "approx rotation by " + number(t.degrees) + " degrees";
+            },
             [](const Nudge& t) {
                 return "nudge by one ulp, " + std::to_string(t.per_mille) + " in 1000, seed " +
                        std::to_string(t.seed);
@@ -155,7 +167,9 @@ Result<SceneInput2> transformed(const SceneInput2& scene, const Transform& trans
     return std::visit(
         Overloaded{
             [&](const Translation& t) {
-                return apply([&](const Point2& p) { return both(exact_sum(p.x, t.dx), exact_sum(p.y, t.dy)); });
+                return apply([&](const Point2& p) {
+                    return both(exact_sum(p.x, t.dx), exact_sum(p.y, t.dy));
+                });
             },
             [&](const PowerOfTwo& t) {
                 return apply([&](const Point2& p) {
@@ -168,17 +182,22 @@ Result<SceneInput2> transformed(const SceneInput2& scene, const Transform& trans
             [&](const Mirror&) {
                 return apply([](const Point2& p) { return MovedPoint({0.0 - p.x, p.y}); });
             },
-            [&](const Permutation& t) { return Result<SceneInput2>(permuted(scene, t.seed).scene); },
+            [&](const Permutation& t) {
+                return Result<SceneInput2>(permuted(scene, t.seed).scene);
+            },
             [&](const ApproxTranslation& t) {
                 return apply([&](const Point2& p) { return MovedPoint({p.x + t.dx, p.y + t.dy}); });
             },
             [&](const ApproxScaling& t) {
-                return apply([&](const Point2& p) { return MovedPoint({p.x * t.factor, p.y * t.factor}); });
+                return apply([&](const Point2& p) {
+                    return MovedPoint({p.x * t.factor, p.y * t.factor});
+                });
             },
             [&](const ApproxRotation& t) {
                 const CosSin v = approx_cos_sin(t.degrees);
                 return apply([v](const Point2& p) {
-                    return MovedPoint({p.x * v.cosine - p.y * v.sine, p.x * v.sine + p.y * v.cosine});
+                    return MovedPoint(
+                        {p.x * v.cosine - p.y * v.sine, p.x * v.sine + p.y * v.cosine});
                 });
             },
             [&](const Nudge& t) {
@@ -227,7 +246,8 @@ std::vector<std::uint32_t> take_numbers(std::uint32_t& next, std::size_t count) 
     return numbers;
 }
 
-void permute_polygon(Rng& rng, Polygon2& polygon, std::uint32_t& next, std::vector<std::uint32_t>& numbers) {
+void permute_polygon(Rng& rng, Polygon2& polygon, std::uint32_t& next,
+                     std::vector<std::uint32_t>& numbers) {
     Numbered outer{&polygon.outer, take_numbers(next, polygon.outer.size())};
     permute_ring(rng, outer);
     numbers = outer.numbers;
@@ -247,14 +267,15 @@ void permute_polygon(Rng& rng, Polygon2& polygon, std::uint32_t& next, std::vect
 
 /// Permutes within the element.
 void permute_element(Rng& rng, NumberedElement& item, std::uint32_t& next) {
-    std::visit(Overloaded{[&](Polygon2& polygon) { permute_polygon(rng, polygon, next, item.numbers); },
-                          [&](Polyline2& wall) {
-                              Numbered list{&wall.points, take_numbers(next, wall.points.size())};
-                              if (rng.one_in(2)) reverse(list);
-                              item.numbers = std::move(list.numbers);
-                          },
-                          [&](Point2&) { item.numbers = take_numbers(next, 1); }},
-               item.element);
+    std::visit(
+        Overloaded{[&](Polygon2& polygon) { permute_polygon(rng, polygon, next, item.numbers); },
+                   [&](Polyline2& wall) {
+                       Numbered list{&wall.points, take_numbers(next, wall.points.size())};
+                       if (rng.one_in(2)) reverse(list);
+                       item.numbers = std::move(list.numbers);
+                   },
+                   [&](Point2&) { item.numbers = take_numbers(next, 1); }},
+        item.element);
 }
 
 }  // namespace
@@ -270,7 +291,8 @@ PermutedScene2 permuted(const SceneInput2& scene, std::uint64_t seed) {
     const auto is_polygon = [](const NumberedElement& item) {
         return std::holds_alternative<Polygon2>(item.element);
     };
-    const auto world = scene.world ? std::find_if(items.begin(), items.end(), is_polygon) : items.end();
+    const auto world =
+        scene.world ? std::find_if(items.begin(), items.end(), is_polygon) : items.end();
     std::vector<NumberedElement> front;
     if (world != items.end()) {
         front.push_back(std::move(*world));
@@ -278,7 +300,8 @@ PermutedScene2 permuted(const SceneInput2& scene, std::uint64_t seed) {
     }
     rng.shuffle(items);
     std::move(items.begin(), items.end(), std::back_inserter(front));
-    PermutedScene2 result{{.elements = {}, .world = scene.world, .file = scene.file, .lines = {}}, {}};
+    PermutedScene2 result{{.elements = {}, .world = scene.world, .file = scene.file, .lines = {}},
+                          {}};
     for (NumberedElement& item : front) {
         result.scene.elements.push_back(std::move(item.element));
         if (!scene.lines.empty()) result.scene.lines.push_back(item.line);

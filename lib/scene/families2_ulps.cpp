@@ -20,14 +20,19 @@ void expect_count(const Count& parameters) {
 double within_one_ulp(Rng& rng, double y) {
     const double infinity = std::numeric_limits<double>::infinity();
     switch (rng.below(3)) {
-        case 0: return std::nextafter(y, -infinity);
-        case 1: return std::nextafter(y, infinity);
-        default: return y;
+        case 0:
+            return std::nextafter(y, -infinity);
+        case 1:
+            return std::nextafter(y, infinity);
+        default:
+            return y;
     }
 }
 
 /// The point at parameter t of the line of slope 24/7 through the origin, `aside` to its left (times 25).
-IntPoint on_line(std::int64_t t, std::int64_t aside) { return {7 * t - 24 * aside, 24 * t + 7 * aside}; }
+IntPoint on_line(std::int64_t t, std::int64_t aside) {
+    return {7 * t - 24 * aside, 24 * t + 7 * aside};
+}
 
 }  // namespace
 

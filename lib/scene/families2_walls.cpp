@@ -26,7 +26,8 @@ SceneInput2 random_walls(const Walls& parameters, std::uint64_t seed) {
             scene.elements.emplace_back(to_wall(source, target));
             length = longest;
         } else {
-            length = std::max<std::int64_t>(length * 15 / 16, 16);  // a shorter one fits more easily
+            length =
+                std::max<std::int64_t>(length * 15 / 16, 16);  // a shorter one fits more easily
         }
     }
     return scene;

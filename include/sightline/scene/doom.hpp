@@ -34,7 +34,8 @@ struct DoomOptions {
 /// vertex that isn't there), bad_parameter (no such map: the message says which there are), unsupported
 /// (UDMF text maps), empty_scene (no linedef left). O(size of the lumps).
 [[nodiscard]] Result<SceneInput2> read_doom(std::span<const std::byte> wad, std::string_view map,
-                                            const DoomOptions& options = {}, const std::string& file = {});
+                                            const DoomOptions& options = {},
+                                            const std::string& file = {});
 /// The same for a file.
 [[nodiscard]] Result<SceneInput2> read_doom(const std::string& path, std::string_view map,
                                             const DoomOptions& options = {});

@@ -26,9 +26,9 @@ enum class Density : std::uint8_t {
 };
 
 struct ConvexBodies {
-    std::size_t vertices = 1000;       ///< of all bodies together (triangles to octagons), ≥ 3
+    std::size_t vertices = 1000;  ///< of all bodies together (triangles to octagons), ≥ 3
     Density density = Density::dense;
-    bool world = true;                 ///< a world around them: a nearly square ring of 4 more vertices
+    bool world = true;  ///< a world around them: a nearly square ring of 4 more vertices
 };
 /// Random disjoint strictly convex polygons (Valtr, "Probability that n random points are in convex
 /// position", 1995). Expected O(vertices) time: bodies are placed with a grid of boxes and an exact
@@ -55,7 +55,8 @@ struct PolygonsWithHoles {
     std::size_t holes = 5;  ///< in each
 };
 /// Jagged polygons with convex holes; in every second hole, where there is room, lies another body.
-[[nodiscard]] SceneInput2 polygons_with_holes(const PolygonsWithHoles& parameters, std::uint64_t seed);
+[[nodiscard]] SceneInput2 polygons_with_holes(const PolygonsWithHoles& parameters,
+                                              std::uint64_t seed);
 
 // ---- random simple polygons ----------------------------------------------------------------------------
 
@@ -139,8 +140,8 @@ struct RotatedGrid {
 enum class ChainKind : std::uint8_t {
     corners,  ///< each box shares a corner with the next
     edges,    ///< each box shares a piece of an edge with the next
-    mixed,    ///< corners, pieces, whole edges, and corners that touch the inside of an edge; random
-    ring      ///< boxes round a square, each sharing an edge with the next: they seal off the inside
+    mixed,  ///< corners, pieces, whole edges, and corners that touch the inside of an edge; random
+    ring    ///< boxes round a square, each sharing an edge with the next: they seal off the inside
 };
 struct Chain {
     std::size_t boxes = 16;
@@ -186,7 +187,8 @@ struct City {
 struct FloorPlan {
     std::size_t columns = 12;  ///< of unit cells, of which rooms are made
     std::size_t rows = 12;
-    bool thick = true;  ///< walls have a thickness and the world one ring and holes; else walls are polylines
+    bool thick =
+        true;  ///< walls have a thickness and the world one ring and holes; else walls are polylines
 };
 /// Rooms by recursive division, a door or two in every wall between. The same seed gives the same plan with
 /// thick and with thin walls.
@@ -223,7 +225,8 @@ struct FamilyInfo {
     std::string_view description;  ///< one line
     std::span<const FamilyParameter> parameters;
     bool degenerate = false;  ///< collinear, touching or coincident features by construction
-    SceneInput2 (*generate)(std::span<const std::uint64_t> parameters, std::uint64_t seed) = nullptr;
+    SceneInput2 (*generate)(std::span<const std::uint64_t> parameters,
+                            std::uint64_t seed) = nullptr;
 };
 
 /// All families, sorted by name.
@@ -232,7 +235,8 @@ struct FamilyInfo {
 /// The scene of the named family; parameters that are not given take their defaults.
 /// Fails with bad_parameter: an unknown name (the message lists the nearest ones), too many parameters, or
 /// one that is no whole number in its range.
-[[nodiscard]] Result<SceneInput2> generate2(std::string_view name, std::span<const std::string> parameters,
+[[nodiscard]] Result<SceneInput2> generate2(std::string_view name,
+                                            std::span<const std::string> parameters,
                                             std::uint64_t seed);
 
 }  // namespace sightline::families

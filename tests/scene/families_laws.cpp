@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for every family: the scenes are valid, a seed fixes the bytes, sizes are as promised.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "scene/families_support.hpp"
+#include "sightline/scene/families.hpp"
+
+namespace sightline {
+namespace {
+
+using families_test::fingerprint;
+using families_test::points_of;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class EveryFamily : public testing::TestWithParam<families::FamilyInfo> {
+protected:
+    static SceneInput2 generate(const std::vector<std::uint64_t>& sizes, std::uint64_t seed) {
+        return GetParam().generate(sizes, seed);
+    }
+    static std::vector<std::uint64_t> defaults() {
+        std::vector<std::uint64_t> sizes;
+        for (const families::FamilyParameter& p : GetParam().parameters) sizes.push_back(p.default_value);
+        return sizes;
+    }
+    /// Each parameter at its least value plus `more`, within its range.
+    static std::vector<std::uint64_t> small(std::uint64_t more) {
+        std::vector<std::uint64_t> sizes;
+        for (const families::FamilyParameter& p : GetParam().parameters) {
+            sizes.push_back(std::min(p.least + more, p.greatest));
+        }
+        return sizes;
+    }
+    static void expect_valid(const std::vector<std::uint64_t>& sizes, std::uint64_t seed) {
+        const SceneInput2 scene = generate(sizes, seed);
+        const Result<Scene2> made = Scene2::make(scene);
+        ASSERT_TRUE(made) << GetParam().name << " seed " << seed << ", first size " << sizes.front() << ": "
+                          << made.error().message;
+        EXPECT_EQ(made->vertex_count(), points_of(scene).size());
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, EveryFamily, testing::ValuesIn(families::all2().begin(), families::all2().end()),
+                         [](const auto& info) {
+                             std::string name(info.param.name);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST_P(EveryFamily, IsValidAtItsSmallestSizes) {
+    for (std::uint64_t more = 0; more < 12; ++more) {
+        for (std::uint64_t seed = 0; seed < 25; ++seed) expect_valid(small(more), seed);
+    }
+}
+
+TEST_P(EveryFamily, IsValidAtItsDefaultSizes) {
+    for (std::uint64_t seed = 100; seed < 120; ++seed) expect_valid(defaults(), seed);
+}
+
+TEST_P(EveryFamily, IsValidAtAThousandOrSo) {
+    std::vector<std::uint64_t> sizes;
+    for (const families::FamilyParameter& p : GetParam().parameters) {
+        sizes.push_back(std::min<std::uint64_t>(GetParam().parameters.size() == 1 ? 3000 : 40, p.greatest));
+    }
+    for (std::uint64_t seed = 7; seed < 9; ++seed) expect_valid(sizes, seed);
+}
+
+TEST_P(EveryFamily, GivesTheSameBytesForTheSameSeed) {
+    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+        EXPECT_EQ(fingerprint(generate(defaults(), seed)), fingerprint(generate(defaults(), seed)));
+    }
+}
+
+TEST_P(EveryFamily, HasPrintableInfoAndDefaultsInRange) {
+    const families::FamilyInfo& family = GetParam();
+    EXPECT_FALSE(family.description.empty());
+    EXPECT_EQ(family.description.find('\n'), std::string_view::npos);
+    ASSERT_FALSE(family.parameters.empty());
+    for (const families::FamilyParameter& p : family.parameters) {
+        EXPECT_LE(p.least, p.default_value);
+        EXPECT_LE(p.default_value, p.greatest);
+    }
+}
+
+/// Bytes pinned once: they must be the same on other platforms and in later versions.
+const std::map<std::string_view, std::uint64_t>& pinned_fingerprints() {
+    static const std::map<std::string_view, std::uint64_t> pinned{
+@@PINNED@@
+    };
+    return pinned;
+}
+
+TEST_P(EveryFamily, GivesThePinnedBytesForSeed42) {
+    const auto pinned = pinned_fingerprints().find(GetParam().name);
+    ASSERT_NE(pinned, pinned_fingerprints().end()) << "no fingerprint of " << GetParam().name;
+    EXPECT_EQ(fingerprint(generate(defaults(), 42)), pinned->second) << GetParam().name;
+}
+
+TEST(FamilyRegistry, IsSortedByName) {
+    EXPECT_TRUE(std::is_sorted(families::all2().begin(), families::all2().end(),
+                               [](const auto& a, const auto& b) { return a.name < b.name; }));
+}
+
+TEST(FamilyRegistry, GeneratesByNameWithDefaultsOrParameters) {
+    const Result<SceneInput2> by_default = families::generate2("dense", {}, 3);
+    ASSERT_TRUE(by_default);
+    EXPECT_EQ(points_of(*by_default).size(), 1004U);
+    const std::vector<std::string> sizes{"77"};
+    const Result<SceneInput2> sized = families::generate2("dense", sizes, 3);
+    ASSERT_TRUE(sized);
+    EXPECT_EQ(fingerprint(*sized), fingerprint(families::random_convex({.vertices = 77}, 3)));
+}
+
+TEST(FamilyRegistry, NamesTheNearestFamiliesForAnUnknownName) {
+    const Result<SceneInput2> misspelt = families::generate2("dens", {}, 1);
+    ASSERT_FALSE(misspelt);
+    EXPECT_EQ(misspelt.error().code, Errc::bad_parameter);
+    EXPECT_THAT(misspelt.error().message, HasSubstr("'dens'"));
+    EXPECT_THAT(misspelt.error().message, HasSubstr("dense, "));
+    EXPECT_THAT(families::generate2("gird", {}, 1).error().message, HasSubstr("grid"));
+    EXPECT_THAT(families::generate2("rotated", {}, 1).error().message, HasSubstr("grid-rotated"));
+    EXPECT_THAT(families::generate2("", {}, 1).error().message, HasSubstr("no family ''"));
+}
+
+TEST(FamilyRegistry, RefusesBadParameters) {
+    const auto message = [](std::vector<std::string> parameters) {
+        const Result<SceneInput2> scene = families::generate2("grid", parameters, 1);
+        return scene ? "accepted" : scene.error().message;
+    };
+    EXPECT_EQ(message({"3", "4"}), "accepted");
+    for (const char* bad : {"abc", "", "-1", "0", "1001", "3.5", "99999999999999999999", "3 "}) {
+        EXPECT_THAT(message({bad}), HasSubstr("whole number from 1 to 1000")) << bad;
+    }
+    EXPECT_THAT(message({"1", "2", "3"}), HasSubstr("leave out all after the first 2"));
+}
+
+}  // namespace
+}  // namespace sightline
