@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -22,15 +24,11 @@ struct Overloaded : Cases... {
 template <typename... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
+/// The shortest form that reads back as x.
 std::string number(double x) {
-    std::string text = std::to_string(x);
-    char buffer[32];
-    if (std::snprintf(buffer, sizeof buffer, "%.17g", x) > 0) text = buffer;
-    for (int digits = 1; digits < 17; ++digits) {  // the shortest form that reads back
-        std::snprintf(buffer, sizeof buffer, "%.*g", digits, x);
-        if (std::stod(buffer) == x) return buffer;
-    }
-    return text;
+    std::array<char, 32> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), x);
+    return {buffer.data(), error == std::errc{} ? end : buffer.data()};
 }
 
 /// a + b when that is a double: the error of the rounded sum (Knuth's two-sum) is zero.

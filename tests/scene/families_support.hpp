@@ -34,7 +34,8 @@ inline std::vector<Point2> points_of(const SceneInput2& scene) {
 class Fingerprint {
 public:
     void add(std::uint64_t word) {
-        for (int i = 0; i < 8; ++i) value_ = (value_ ^ ((word >> (8 * i)) & 0xFF)) * 0x100000001b3ULL;
+        for (int i = 0; i < 8; ++i)
+            value_ = (value_ ^ ((word >> (8 * i)) & 0xFF)) * 0x100000001b3ULL;
     }
     void add(const Point2& p) {
         add(std::bit_cast<std::uint64_t>(p.x));

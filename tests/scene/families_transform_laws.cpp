@@ -21,8 +21,12 @@ using families_test::points_of;
 using testing::HasSubstr;
 
 std::vector<families::Transform> exact_transforms() {
-    return {families::Translation{12345, -77},    families::PowerOfTwo{-30}, families::IntegerRotation{3, 4},
-            families::IntegerRotation{-5, 12}, families::Mirror{},        families::Permutation{9}};
+    return {families::Translation{12345, -77},
+            families::PowerOfTwo{-30},
+            families::IntegerRotation{3, 4},
+            families::IntegerRotation{-5, 12},
+            families::Mirror{},
+            families::Permutation{9}};
 }
 
 /// Every element kind, a world, holes and coordinates that are integers.
@@ -53,15 +57,16 @@ TEST(ExactTransforms, KeepEveryIntegerFamilyValid) {
 
 TEST(ExactTransforms, HaveInverses) {
     const SceneInput2 scene = sample();
-    const auto there_and_back = [&](const families::Transform& there, const families::Transform& back) {
+    const auto there_and_back = [&](const families::Transform& there,
+                                    const families::Transform& back) {
         return fingerprint(*transformed(*transformed(scene, there), back));
     };
     const std::uint64_t same = fingerprint(scene);
     EXPECT_EQ(there_and_back(families::Translation{3, 1e6}, families::Translation{-3, -1e6}), same);
     EXPECT_EQ(there_and_back(families::PowerOfTwo{900}, families::PowerOfTwo{-900}), same);
     EXPECT_EQ(there_and_back(families::Mirror{}, families::Mirror{}), same);
-    const SceneInput2 twice =
-        *transformed(*transformed(scene, families::IntegerRotation{3, 4}), families::IntegerRotation{3, -4});
+    const SceneInput2 twice = *transformed(*transformed(scene, families::IntegerRotation{3, 4}),
+                                           families::IntegerRotation{3, -4});
     const std::vector<Point2> points = points_of(scene);
     const std::vector<Point2> scaled = points_of(twice);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -72,7 +77,8 @@ TEST(ExactTransforms, HaveInverses) {
 TEST(ExactTransforms, RotateAndMirrorTheRightWay) {
     SceneInput2 scene;
     scene.elements.emplace_back(Point2{1, 0});
-    EXPECT_EQ(points_of(*transformed(scene, families::IntegerRotation{3, 4})).front(), (Point2{3, 4}));
+    EXPECT_EQ(points_of(*transformed(scene, families::IntegerRotation{3, 4})).front(),
+              (Point2{3, 4}));
     EXPECT_EQ(points_of(*transformed(scene, families::Mirror{})).front(), (Point2{-1, 0}));
     EXPECT_EQ(points_of(*transformed(scene, families::ApproxRotation{90})).front(), (Point2{0, 1}));
 }
@@ -92,7 +98,8 @@ TEST(ExactTransforms, RefuseToRound) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(code(families::ApproxRotation{nan}), Errc::bad_parameter);
     EXPECT_EQ(code(families::Translation{nan, 0}), Errc::bad_parameter);
-    EXPECT_THAT(transformed(scene, families::Translation{1, 0}).error().message, HasSubstr("approx_"));
+    EXPECT_THAT(transformed(scene, families::Translation{1, 0}).error().message,
+                HasSubstr("approx_"));
     EXPECT_TRUE(transformed(scene, families::ApproxTranslation{1, 0}));
 }
 
@@ -112,7 +119,8 @@ TEST(Permuted, SaysWhichVertexWentWhere) {
             used.insert(result.old_vertex[i]);
         }
         EXPECT_EQ(used.size(), before.size());
-        EXPECT_TRUE(std::holds_alternative<Polygon2>(result.scene.elements.front())) << "the world leads";
+        EXPECT_TRUE(std::holds_alternative<Polygon2>(result.scene.elements.front()))
+            << "the world leads";
         EXPECT_TRUE(result.scene.world);
         EXPECT_TRUE(Scene2::make(result.scene));
         moved = moved || fingerprint(result.scene) != fingerprint(scene);
@@ -152,8 +160,10 @@ TEST(Nudge, MovesCoordinatesByAtMostOneUlp) {
     const std::vector<Point2> after = points_of(result);
     std::size_t moved = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        EXPECT_TRUE(after[i].x == before[i].x || std::nextafter(before[i].x, after[i].x) == after[i].x);
-        EXPECT_TRUE(after[i].y == before[i].y || std::nextafter(before[i].y, after[i].y) == after[i].y);
+        EXPECT_TRUE(after[i].x == before[i].x ||
+                    std::nextafter(before[i].x, after[i].x) == after[i].x);
+        EXPECT_TRUE(after[i].y == before[i].y ||
+                    std::nextafter(before[i].y, after[i].y) == after[i].y);
         moved += (after[i].x != before[i].x ? 1U : 0U) + (after[i].y != before[i].y ? 1U : 0U);
     }
     EXPECT_GT(moved, before.size() / 2);
@@ -164,9 +174,11 @@ TEST(Nudge, MovesCoordinatesByAtMostOneUlp) {
 TEST(Transform, SaysWhatItIs) {
     EXPECT_EQ(to_string(families::Transform(families::ApproxRotation{17.3})),
               "approx rotation by 17.3 degrees");
-    EXPECT_EQ(to_string(families::Transform(families::Translation{1e8, -0.5})), "translation by 1e+08, -0.5");
+    EXPECT_EQ(to_string(families::Transform(families::Translation{1e8, -0.5})),
+              "translation by 1e+08, -0.5");
     EXPECT_EQ(to_string(families::Transform(families::PowerOfTwo{-3})), "scaling by 2^-3");
-    for (const families::Transform& transform : exact_transforms()) EXPECT_TRUE(is_exact(transform));
+    for (const families::Transform& transform : exact_transforms())
+        EXPECT_TRUE(is_exact(transform));
     EXPECT_FALSE(is_exact(families::ApproxScaling{2}));
     EXPECT_FALSE(is_exact(families::Nudge{}));
 }

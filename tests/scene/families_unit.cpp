@@ -40,7 +40,8 @@ double twice_area(const Ring2& ring) {
 std::vector<IntRing> outer_rings(const SceneInput2& scene) {
     std::vector<IntRing> rings;
     for (const SceneElement2& element : scene.elements) {
-        if (const auto* polygon = std::get_if<Polygon2>(&element)) rings.push_back(to_int(polygon->outer));
+        if (const auto* polygon = std::get_if<Polygon2>(&element))
+            rings.push_back(to_int(polygon->outer));
     }
     return rings;
 }
@@ -58,7 +59,8 @@ TEST(RandomConvex, HasTheVerticesAskedForAndFourOfTheWorld) {
 TEST(RandomConvex, BodiesAreStrictlyConvexAndHaveNoPointInCommon) {
     for (const auto density :
          {families::Density::sparse, families::Density::dense, families::Density::packed}) {
-        const std::vector<IntRing> rings = outer_rings(families::random_convex({400, density, false}, 5));
+        const std::vector<IntRing> rings =
+            outer_rings(families::random_convex({400, density, false}, 5));
         for (std::size_t i = 0; i < rings.size(); ++i) {
             EXPECT_TRUE(families::detail::turns_left_everywhere(rings[i]));
             EXPECT_LE(rings[i].size(), 8U);
@@ -149,8 +151,9 @@ bool has_kernel(const IntRing& ccw) {
         const Wide x = static_cast<Wide>(ccw[i].x) + t * static_cast<Wide>(direction(i).x);
         const Wide y = static_cast<Wide>(ccw[i].y) + t * static_cast<Wide>(direction(i).y);
         for (std::size_t k = 0; k < n; ++k) {
-            const Wide side = static_cast<Wide>(direction(k).x) * (y - static_cast<Wide>(ccw[k].y)) -
-                              static_cast<Wide>(direction(k).y) * (x - static_cast<Wide>(ccw[k].x));
+            const Wide side =
+                static_cast<Wide>(direction(k).x) * (y - static_cast<Wide>(ccw[k].y)) -
+                static_cast<Wide>(direction(k).y) * (x - static_cast<Wide>(ccw[k].x));
             // Generous, so that a polygon without a kernel by this test surely has none.
             if (side < -1000.0L) return false;
         }
@@ -198,7 +201,8 @@ TEST(SimplePolygon, CopesWithManyCollinearPoints) {
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         families::detail::Rng rng(seed);
         const std::size_t n = 3 + seed % 10;
-        const IntRing ring = families::detail::random_simple_ring(rng, n, 4);  // 25 lattice points in all
+        const IntRing ring =
+            families::detail::random_simple_ring(rng, n, 4);  // 25 lattice points in all
         SceneInput2 scene;
         scene.elements.emplace_back(families::detail::to_polygon(ring));
         const Result<Scene2> made = Scene2::make(scene);
@@ -235,8 +239,8 @@ TEST(AreDisjoint, TellsTouchingFromApart) {
     using families::detail::are_disjoint;
     using families::detail::box;
     EXPECT_TRUE(are_disjoint(box(0, 0, 2, 2), box(3, 0, 4, 2)));
-    EXPECT_FALSE(are_disjoint(box(0, 0, 2, 2), box(2, 2, 4, 4)));   // a corner
-    EXPECT_FALSE(are_disjoint(box(0, 0, 9, 9), box(3, 3, 4, 4)));   // inside
+    EXPECT_FALSE(are_disjoint(box(0, 0, 2, 2), box(2, 2, 4, 4)));    // a corner
+    EXPECT_FALSE(are_disjoint(box(0, 0, 9, 9), box(3, 3, 4, 4)));    // inside
     EXPECT_FALSE(are_disjoint({{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}));  // segments that cross
     EXPECT_TRUE(are_disjoint({{0, 0}, {4, 4}}, {{3, 2}, {4, 0}}));
     EXPECT_TRUE(are_disjoint(box(0, 0, 2, 2), {{3, 0}, {2, 3}}));
