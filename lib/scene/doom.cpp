@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -222,10 +221,16 @@ private:
 };
 
 Result<std::vector<std::byte>> read_file(const std::string& path) {
+    constexpr std::size_t chunk = std::size_t{1} << 20;
     std::ifstream stream(path, std::ios::binary);
     std::vector<char> text;
-    if (stream) text.assign(std::istreambuf_iterator<char>(stream), {});
-    if (!stream || stream.bad()) {
+    while (stream) {  // in pieces: the size of what is no plain file is anyone's guess
+        const std::size_t size = text.size();
+        text.resize(size + chunk);
+        stream.read(text.data() + size, chunk);
+        text.resize(size + static_cast<std::size_t>(stream.gcount()));
+    }
+    if (!stream.eof()) {
         return fail(Errc::cannot_open,
                     path + ": cannot be read; check the path and its permissions");
     }

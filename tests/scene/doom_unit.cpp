@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "scene/families_support.hpp"
@@ -237,6 +239,7 @@ TEST(ReadDoom, SaysWhenAFileCannotBeRead) {
     EXPECT_EQ(scene.error().code, Errc::cannot_open);
     EXPECT_THAT(message(scene), HasSubstr("/nonexistent/doom.wad"));
     EXPECT_FALSE(doom_maps(std::string("/nonexistent/doom.wad")));
+    EXPECT_EQ(doom_maps(std::string("/")).error().code, Errc::cannot_open) << "a directory";
 }
 
 class Freedoom : public testing::TestWithParam<const char*> {};
@@ -246,13 +249,17 @@ TEST_P(Freedoom, EveryMapReads) {
     const std::string path = std::string("/usr/share/games/doom/") + GetParam();
     if (!std::filesystem::exists(path))
         GTEST_SKIP() << path << " is not installed (package freedoom)";
-    const Result<std::vector<std::string>> maps = doom_maps(path);
+    std::ifstream stream(path, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    const auto wad = std::as_bytes(std::span(text));
+    const Result<std::vector<std::string>> maps = doom_maps(wad);
     ASSERT_TRUE(maps);
     EXPECT_EQ(maps->size(), std::string(GetParam()) == "freedoom1.wad" ? 36U : 32U);
+    EXPECT_EQ(*doom_maps(path), *maps);
     for (const std::string& map : *maps) {
-        const Result<SceneInput2> walls = read_doom(path, map);
+        const Result<SceneInput2> walls = read_doom(wad, map);
         ASSERT_TRUE(walls) << message(walls);
-        const Result<SceneInput2> all = read_doom(path, map, {.all_lines = true});
+        const Result<SceneInput2> all = read_doom(wad, map, {.all_lines = true});
         ASSERT_TRUE(all) << message(all);
         EXPECT_GT(points_of(*all).size(), points_of(*walls).size());
         const Result<Scene2> made = Scene2::make(*walls);

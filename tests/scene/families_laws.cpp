@@ -69,7 +69,7 @@ TEST_P(EveryFamily, IsValidAtAThousandOrSo) {
     std::vector<std::uint64_t> sizes;
     for (const families::FamilyParameter& p : GetParam().parameters) {
         sizes.push_back(
-            std::min<std::uint64_t>(GetParam().parameters.size() == 1 ? 3000 : 40, p.greatest));
+            std::min<std::uint64_t>(GetParam().parameters.size() == 1 ? 1000 : 30, p.greatest));
     }
     for (std::uint64_t seed = 7; seed < 9; ++seed) expect_valid(sizes, seed);
 }
