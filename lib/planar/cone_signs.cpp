@@ -7,19 +7,46 @@
 #include "sightline/geom/predicates2.hpp"
 
 namespace sightline::detail {
+namespace {
 
-ConeSigns::ConeSigns(const Triangulation& t, Arithmetic arithmetic) : t_(t), arithmetic_(arithmetic) {
-    // The policies `exact` and `interval` decide nothing by the filter; constructed places have no
-    // double coordinates that a filter could use.
-    const bool no_filter = arithmetic == Arithmetic::exact || arithmetic == Arithmetic::interval;
-    if (no_filter || (t.has_constructed() && arithmetic == Arithmetic::filtered))
-        bound_ = std::numeric_limits<double>::infinity();
-    else
-        bound_ = arithmetic == Arithmetic::double_ ? 0 : t.orientation_bound();
+// Which side of the ray from v in an axis direction q lies on.
+template <typename Point>
+Sign side_of_axis(Limit::Kind kind, const Point& v, const Point& q) {
+    const auto order = [](const auto& a, const auto& b) {
+        return a < b ? Sign::positive : b < a ? Sign::negative : Sign::zero;
+    };
+    switch (kind) {
+        case Limit::Kind::up: return order(q.x, v.x);
+        case Limit::Kind::down: return order(v.x, q.x);
+        case Limit::Kind::right: return order(v.y, q.y);
+        default: return order(q.y, v.y);
+    }
 }
 
-CertifiedSign ConeSigns::by_tier(const Point2& a, const Point2& b, const Point2& c) const {
-    if (arithmetic_ == Arithmetic::filtered && t_.is_on_exact_grid()) {
+}  // namespace
+
+ConeSigns::ConeSigns(const Triangulation& t, Arithmetic arithmetic) : t_(t), arithmetic_(arithmetic) {}
+
+double ConeSigns::bound(const Viewpoint& from) const {
+    if (arithmetic_ == Arithmetic::double_) return 0;
+    // The policies `exact` and `interval` decide nothing by the filter; constructed places have no
+    // double coordinates that it could use.
+    if (arithmetic_ != Arithmetic::filtered || t_.has_constructed())
+        return std::numeric_limits<double>::infinity();
+    if (from.place != no_index || (from.exact == nullptr && t_.is_on_exact_grid(from.position)))
+        return t_.orientation_bound();
+    return t_.rounded_point_bound();
+}
+
+RationalPoint2 ConeSigns::exact_position(const Viewpoint& from) const {
+    if (from.exact != nullptr) return *from.exact;
+    return from.place == no_index ? to_rational(from.position) : t_.exact_position(from.place);
+}
+
+CertifiedSign ConeSigns::by_tier(const Viewpoint& from, const Point2& b, const Point2& c) const {
+    const Point2& a = from.position;
+    if (arithmetic_ == Arithmetic::filtered && from.exact == nullptr && t_.is_on_exact_grid() &&
+        (from.place != no_index || t_.is_on_exact_grid(a))) {
         const double det = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         return {sign_of(det), Tier::filter};
     }
@@ -28,33 +55,25 @@ CertifiedSign ConeSigns::by_tier(const Point2& a, const Point2& b, const Point2&
 
 CertifiedSign ConeSigns::decide(const Viewpoint& from, const Limit& limit, Place p) const {
     const auto constructed = [&](Place q) { return q != no_index && q >= t_.first_constructed(); };
-    const bool exact_only = t_.has_constructed() && arithmetic_ != Arithmetic::double_ &&
-                            (constructed(from.place) || constructed(limit.place) || constructed(p));
-    using enum Limit::Kind;
-    if (limit.kind != towards && limit.kind != away_from) {
-        const auto along = [&](const auto& v, const auto& q) {
-            switch (limit.kind) {
-                case up: return sign_of(v.x < q.x ? -1 : q.x < v.x ? 1 : 0);
-                case down: return sign_of(q.x < v.x ? -1 : v.x < q.x ? 1 : 0);
-                case right: return sign_of(q.y < v.y ? -1 : v.y < q.y ? 1 : 0);
-                default: return sign_of(v.y < q.y ? -1 : q.y < v.y ? 1 : 0);
-            }
-        };
+    const bool exact_only = arithmetic_ != Arithmetic::double_ &&
+                            (from.exact != nullptr || constructed(from.place) ||
+                             constructed(limit.place) || constructed(p));
+    if (limit.kind != Limit::Kind::towards && limit.kind != Limit::Kind::away_from) {
         if (exact_only)
-            return {along(from.place == no_index ? to_rational(from.position) : t_.exact_position(from.place),
-                          t_.exact_position(p)),
-                    Tier::exact};
-        return {along(from.position, t_.position(p)), Tier::filter};
+            return {side_of_axis(limit.kind, exact_position(from), t_.exact_position(p)), Tier::exact};
+        return {side_of_axis(limit.kind, from.position, t_.position(p)), Tier::filter};
     }
     CertifiedSign s;
-    if (exact_only) {
-        const RationalPoint2 v =
-            from.place == no_index ? to_rational(from.position) : t_.exact_position(from.place);
-        s = {sightline::orientation(v, t_.exact_position(limit.place), t_.exact_position(p)), Tier::exact};
-    } else {
-        s = by_tier(from.position, t_.position(limit.place), t_.position(p));
-    }
-    if (limit.kind == away_from) s.sign = -s.sign;
+    if (limit.place == p)
+        s = {Sign::zero, Tier::filter};
+    else if (exact_only && from.exact != nullptr && !constructed(limit.place) && !constructed(p))
+        s = {sightline::orientation(t_.position(limit.place), t_.position(p), *from.exact), Tier::exact};
+    else if (exact_only)
+        s = {sightline::orientation(exact_position(from), t_.exact_position(limit.place), t_.exact_position(p)),
+             Tier::exact};
+    else
+        s = by_tier(from, t_.position(limit.place), t_.position(p));
+    if (limit.kind == Limit::Kind::away_from) s.sign = -s.sign;
     return s;
 }
 

@@ -9,10 +9,11 @@
 
 namespace sightline::detail {
 
-/// From where a cone of sight starts: a point with double coordinates, or a constructed place.
+/// From where cones of sight start: a place of the triangulation, or any point in its frame.
 struct Viewpoint {
-    Point2 position;
-    Place place = no_index;  ///< when it is a place of the triangulation
+    Point2 position;                        ///< rounded when `exact` is given or the place constructed
+    Place place = no_index;                 ///< when it is a place of the triangulation
+    const RationalPoint2* exact = nullptr;  ///< when it is no place and its coordinates are no doubles
 };
 
 /// One boundary ray of a cone of sight: the direction in doubles for the filter, and its generator for
@@ -35,8 +36,8 @@ class ConeSigns {
 public:
     ConeSigns(const Triangulation& t, Arithmetic arithmetic);
 
-    /// A determinant beyond ± this needs no second look.
-    [[nodiscard]] double bound() const noexcept { return bound_; }
+    /// A determinant beyond ± this needs no second look, for any places seen from there.
+    [[nodiscard]] double bound(const Viewpoint& from) const;
     /// Positive when p lies left of the ray. Called when the first filter has not decided.
     [[nodiscard]] Sign side(const Viewpoint& from, const Limit& limit, Place p);
     /// Counts determinants that were evaluated, decided by the first filter or not.
@@ -45,11 +46,11 @@ public:
 
 private:
     [[nodiscard]] CertifiedSign decide(const Viewpoint& from, const Limit& limit, Place p) const;
-    [[nodiscard]] CertifiedSign by_tier(const Point2& a, const Point2& b, const Point2& c) const;
+    [[nodiscard]] CertifiedSign by_tier(const Viewpoint& from, const Point2& b, const Point2& c) const;
+    [[nodiscard]] RationalPoint2 exact_position(const Viewpoint& from) const;
 
     const Triangulation& t_;
     Arithmetic arithmetic_;
-    double bound_;
     std::uint64_t calls_ = 0;
     TierCounts late_;
 };

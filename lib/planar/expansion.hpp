@@ -30,10 +30,13 @@ template <typename Visitor>
 class Expansion {
 public:
     Expansion(const Crossings& crossings, ConeSigns& signs, Visitor& visitor)
-        : crossings_(crossings), signs_(signs), visitor_(visitor), bound_(signs.bound()) {}
+        : crossings_(crossings), signs_(signs), visitor_(visitor) {}
 
     /// Changes the viewpoint.
-    void look_from(const Viewpoint& from) { from_ = from; }
+    void look_from(const Viewpoint& from) {
+        from_ = from;
+        bound_ = signs_.bound(from);
+    }
     /// Reports everything inside the cone.
     void expand(const Cone& start);
 
@@ -55,7 +58,7 @@ private:
     const Crossings& crossings_;
     ConeSigns& signs_;
     Visitor& visitor_;
-    double bound_;
+    double bound_ = 0;
     Viewpoint from_;
     std::vector<Cone> stack_;
 };

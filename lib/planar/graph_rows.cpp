@@ -57,7 +57,11 @@ void GraphRows::begin(HalfEdge h) {
     const bool q_after = is_after(q);
     if (!p_after && !q_after) return;
     const std::uint32_t crossing = Crossings::beyond(t_, next(h));
-    if (crossing == no_index) return;
+    const bool q_above = q_after && is_straight_above(q);
+    if (crossing == no_index) {
+        if (q_above && every_) follow_beyond(q);
+        return;
+    }
     Cone cone{crossing, towards(q), towards(p)};
     if (!q_after) {
         const Limit up{0, span_, no_index, Limit::Kind::up, false, true, false};
@@ -68,6 +72,7 @@ void GraphRows::begin(HalfEdge h) {
         cone.right = down;
         cone.right.touches = is_straight_above(p);  // here: below
     }
+    cone.left.armed |= q_above;
     expansion_.expand(cone);
 }
 
@@ -82,7 +87,8 @@ void GraphRows::look_along(HalfEdge h, Place p) {
     else if (t_.is_scene_place(p))
         out_->push_back(p);
     // The cone on the left of the ray straight up belongs to the other half-plane.
-    if (every_ ? t_.is_pinch(p) || t_.is_wall(h) || is_straight_above(p) : !t_.is_scene_place(p))
+    if (every_ ? t_.is_pinch(p) || t_.is_wall(h) || (!right_free && is_straight_above(p))
+               : !t_.is_scene_place(p))
         follow_beyond(p);
 }
 
@@ -105,10 +111,8 @@ void GraphRows::on_limit(const Crossing& c, Limit& limit) {
 // The ray v→w beyond the visible place w: all vertices on it, or the first one when w itself is none.
 void GraphRows::follow_beyond(Place w) {
     RayWalk walk(t_, v_, w);
-    Place p = walk.next_place();
-    while (p != no_index && p != w) p = walk.next_place();
-    if (p == no_index) return;
-    for (p = walk.next_place(); p != no_index; p = walk.next_place()) {
+    walk.skip_to(w);
+    for (Place p = walk.next_place(); p != no_index; p = walk.next_place()) {
         if (!t_.is_scene_place(p)) continue;
         report_once(p);
         if (!every_) return;

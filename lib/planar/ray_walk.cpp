@@ -107,6 +107,15 @@ Place RayWalk::next_place() {
     return at_;
 }
 
+void RayWalk::skip_to(Place w) {
+    if (!t_.has_walls()) {
+        at_ = w;
+        return;
+    }
+    while (at_ != w && at_ != no_index) at_ = next_place();
+    SIGHTLINE_EXPECT(at_ == w);
+}
+
 // The ray leaves a triangle through h, which runs from its right to its left.
 Place RayWalk::cross_triangles(HalfEdge h) {
     while (t_.is_open(h)) {

@@ -13,6 +13,9 @@ public:
     /// Stands at v, looking along v→toward (a different place, in any distance).
     RayWalk(const Triangulation& t, Place v, Place toward) : t_(t), from_(v), toward_(toward), at_(v) {}
 
+    /// Moves on to the place w on the ray, which is known to be visible. Without walls nothing before w
+    /// matters there and the way is not walked.
+    void skip_to(Place w);
     /// Goes on to the next place on the ray; no_index when the ray is blocked or leaves the frame.
     [[nodiscard]] Place next_place();
     /// Whether the ray can go on beyond the place where it stands, however little.

@@ -9,7 +9,14 @@
 
 namespace sightline::detail {
 
-Triangulation::Triangulation(const Scene2& scene) { TriangulationBuilder(*this, scene).build(); }
+Triangulation::Triangulation(const Scene2& scene, std::span<const Point2> within) {
+    TriangulationBuilder(*this, scene, within).build();
+}
+
+bool Triangulation::is_on_exact_grid(const Point2& p) const noexcept {
+    return exact_grid_ && is_in_frame(p) && std::fmod(p.x, grid_step_) == 0 &&
+           std::fmod(p.y, grid_step_) == 0;
+}
 
 RationalPoint2 Triangulation::exact_position(Place p) const {
     return p < first_constructed_ ? to_rational(position_[p]) : constructed_[p - first_constructed_];

@@ -34,7 +34,9 @@ inline constexpr Place frame_places = 4;
 /// are free.
 class Triangulation {
 public:
-    explicit Triangulation(const Scene2& scene);
+    explicit Triangulation(const Scene2& scene) : Triangulation(scene, {}) {}
+    /// With a frame that also surrounds the points of `within`.
+    Triangulation(const Scene2& scene, std::span<const Point2> within);
 
     // --- places
     [[nodiscard]] std::size_t place_count() const noexcept { return position_.size(); }
@@ -92,6 +94,13 @@ public:
     [[nodiscard]] bool is_on_exact_grid() const noexcept { return exact_grid_; }
     /// Bound on the rounding error of such a determinant of any three places (0 on an exact grid).
     [[nodiscard]] double orientation_bound() const noexcept { return orientation_bound_; }
+    /// The same with one point anywhere in the frame, its coordinates rounded once.
+    [[nodiscard]] double rounded_point_bound() const noexcept { return rounded_point_bound_; }
+    /// Whether p lies on the exact grid, inside the frame: as good as a place.
+    [[nodiscard]] bool is_on_exact_grid(const Point2& p) const noexcept;
+    [[nodiscard]] bool is_in_frame(const Point2& p) const noexcept {
+        return position_[0].x < p.x && p.x < position_[2].x && position_[0].y < p.y && p.y < position_[2].y;
+    }
 
 private:
     friend class TriangulationBuilder;
@@ -115,6 +124,8 @@ private:
     bool has_walls_ = false;
     bool exact_grid_ = false;
     double orientation_bound_ = 0;
+    double rounded_point_bound_ = 0;
+    double grid_step_ = 0;
 };
 
 }  // namespace sightline::detail

@@ -11,7 +11,8 @@ namespace sightline::detail {
 /// curve, scene edges by flipping what they cross.
 class TriangulationBuilder {
 public:
-    TriangulationBuilder(Triangulation& out, const Scene2& scene) : t_(out), scene_(scene) {}
+    TriangulationBuilder(Triangulation& out, const Scene2& scene, std::span<const Point2> within)
+        : t_(out), scene_(scene), within_(within) {}
     void build();
 
 private:
@@ -57,6 +58,7 @@ private:
 
     Triangulation& t_;
     const Scene2& scene_;
+    std::span<const Point2> within_;
     std::vector<HalfEdge> pending_;
     std::uint32_t turn_ = 0;
 };

@@ -15,14 +15,20 @@ struct Box {
     double x0, y0, x1, y1;
 };
 
-Box bounding_box(std::span<const Point2> points) {
-    Box b{points[0].x, points[0].y, points[0].x, points[0].y};
+void extend(Box& b, std::span<const Point2> points) {
     for (const Point2& p : points) {
         b.x0 = std::min(b.x0, p.x);
         b.x1 = std::max(b.x1, p.x);
         b.y0 = std::min(b.y0, p.y);
         b.y1 = std::max(b.y1, p.y);
     }
+}
+
+Box bounding_box(std::span<const Point2> points, std::span<const Point2> more = {}) {
+    const Point2& p = points.empty() ? more[0] : points[0];
+    Box b{p.x, p.y, p.x, p.y};
+    extend(b, points);
+    extend(b, more);
     return b;
 }
 
@@ -85,7 +91,7 @@ int lowest_bit(double x) {
 }  // namespace
 
 void TriangulationBuilder::make_frame() {
-    const Box b = bounding_box(scene_.vertices());
+    const Box b = bounding_box(scene_.vertices(), within_);
     // A margin of about the scene's size, rounded to a power of two to stay on the scene's grid.
     const double size = std::max({b.x1 - b.x0, b.y1 - b.y0, DBL_MIN});
     const double margin = std::ldexp(1.0, std::min(std::ilogb(size) + 1, 1022));
@@ -125,6 +131,11 @@ void TriangulationBuilder::measure_precision() {
     // Differences below 2^26 grid steps have products below 2^52 and a determinant below 2^53.
     const double steps = std::ldexp(std::max(mx, my), -lowest);
     t_.exact_grid_ = steps <= 0x1p26 && lowest > -500 && lowest < 400;
+    t_.grid_step_ = t_.exact_grid_ ? std::ldexp(1.0, lowest) : 0;
+    // A coordinate that was rounded once is off by u·|x|: twice that times the other factor, twice.
+    const double largest = std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x), std::fabs(high.y)});
+    t_.rounded_point_bound_ = 9 * (DBL_EPSILON / 2) * (mx * my) +
+                              4 * (DBL_EPSILON / 2) * largest * (mx + my) + 4 * DBL_MIN;
     t_.orientation_bound_ = t_.exact_grid_ ? 0 : 9 * (DBL_EPSILON / 2) * (mx * my) + 2 * DBL_MIN;
 }
 
