@@ -16,16 +16,21 @@ Sign side_of_axis(Limit::Kind kind, const Point& v, const Point& q) {
         return a < b ? Sign::positive : b < a ? Sign::negative : Sign::zero;
     };
     switch (kind) {
-        case Limit::Kind::up: return order(q.x, v.x);
-        case Limit::Kind::down: return order(v.x, q.x);
-        case Limit::Kind::right: return order(v.y, q.y);
-        default: return order(q.y, v.y);
+        case Limit::Kind::up:
+            return order(q.x, v.x);
+        case Limit::Kind::down:
+            return order(v.x, q.x);
+        case Limit::Kind::right:
+            return order(v.y, q.y);
+        default:
+            return order(q.y, v.y);
     }
 }
 
 }  // namespace
 
-ConeSigns::ConeSigns(const Triangulation& t, Arithmetic arithmetic) : t_(t), arithmetic_(arithmetic) {}
+ConeSigns::ConeSigns(const Triangulation& t, Arithmetic arithmetic)
+    : t_(t), arithmetic_(arithmetic) {}
 
 double ConeSigns::bound(const Viewpoint& from) const {
     if (arithmetic_ == Arithmetic::double_) return 0;
@@ -50,26 +55,30 @@ CertifiedSign ConeSigns::by_tier(const Viewpoint& from, const Point2& b, const P
         const double det = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
         return {sign_of(det), Tier::filter};
     }
-    return with_arithmetic(arithmetic_, [&](auto policy) { return orientation_by<policy.value>(a, b, c); });
+    return with_arithmetic(arithmetic_,
+                           [&](auto policy) { return orientation_by<policy.value>(a, b, c); });
 }
 
 CertifiedSign ConeSigns::decide(const Viewpoint& from, const Limit& limit, Place p) const {
     const auto constructed = [&](Place q) { return q != no_index && q >= t_.first_constructed(); };
-    const bool exact_only = arithmetic_ != Arithmetic::double_ &&
-                            (from.exact != nullptr || constructed(from.place) ||
-                             constructed(limit.place) || constructed(p));
+    const bool exact_only =
+        arithmetic_ != Arithmetic::double_ && (from.exact != nullptr || constructed(from.place) ||
+                                               constructed(limit.place) || constructed(p));
     if (limit.kind != Limit::Kind::towards && limit.kind != Limit::Kind::away_from) {
         if (exact_only)
-            return {side_of_axis(limit.kind, exact_position(from), t_.exact_position(p)), Tier::exact};
+            return {side_of_axis(limit.kind, exact_position(from), t_.exact_position(p)),
+                    Tier::exact};
         return {side_of_axis(limit.kind, from.position, t_.position(p)), Tier::filter};
     }
     CertifiedSign s;
     if (limit.place == p)
         s = {Sign::zero, Tier::filter};
     else if (exact_only && from.exact != nullptr && !constructed(limit.place) && !constructed(p))
-        s = {sightline::orientation(t_.position(limit.place), t_.position(p), *from.exact), Tier::exact};
+        s = {sightline::orientation(t_.position(limit.place), t_.position(p), *from.exact),
+             Tier::exact};
     else if (exact_only)
-        s = {sightline::orientation(exact_position(from), t_.exact_position(limit.place), t_.exact_position(p)),
+        s = {sightline::orientation(exact_position(from), t_.exact_position(limit.place),
+                                    t_.exact_position(p)),
              Tier::exact};
     else
         s = by_tier(from, t_.position(limit.place), t_.position(p));
@@ -80,10 +89,18 @@ CertifiedSign ConeSigns::decide(const Viewpoint& from, const Limit& limit, Place
 Sign ConeSigns::side(const Viewpoint& from, const Limit& limit, Place p) {
     const CertifiedSign s = decide(from, limit, p);
     switch (s.decided_by) {
-        case Tier::filter: ++late_.filter; break;
-        case Tier::interval: ++late_.interval; break;
-        case Tier::exact: ++late_.exact; break;
-        case Tier::undecided: ++late_.undecided; break;
+        case Tier::filter:
+            ++late_.filter;
+            break;
+        case Tier::interval:
+            ++late_.interval;
+            break;
+        case Tier::exact:
+            ++late_.exact;
+            break;
+        case Tier::undecided:
+            ++late_.undecided;
+            break;
     }
     ++late_.calls;
     return s.sign;

@@ -11,9 +11,10 @@ namespace sightline::detail {
 
 /// From where cones of sight start: a place of the triangulation, or any point in its frame.
 struct Viewpoint {
-    Point2 position;                        ///< rounded when `exact` is given or the place constructed
-    Place place = no_index;                 ///< when it is a place of the triangulation
-    const RationalPoint2* exact = nullptr;  ///< when it is no place and its coordinates are no doubles
+    Point2 position;         ///< rounded when `exact` is given or the place constructed
+    Place place = no_index;  ///< when it is a place of the triangulation
+    const RationalPoint2* exact =
+        nullptr;  ///< when it is no place and its coordinates are no doubles
 };
 
 /// One boundary ray of a cone of sight: the direction in doubles for the filter, and its generator for
@@ -27,8 +28,9 @@ struct Limit {
     Place place = no_index;  ///< the last vertex met on the ray, or the generator
     Kind kind = Kind::towards;
     bool touches = false;  ///< the near edge's end on this side lies on the ray
-    bool armed = false;    ///< the ray may go on where the cone ends: it has to be followed on its own
-    bool silent = false;   ///< what lies on the ray is not reported
+    bool armed =
+        false;  ///< the ray may go on where the cone ends: it has to be followed on its own
+    bool silent = false;  ///< what lies on the ray is not reported
 };
 
 /// Signs of orientation(viewpoint, limit, place) under one arithmetic, counted by deciding tier.
@@ -46,7 +48,8 @@ public:
 
 private:
     [[nodiscard]] CertifiedSign decide(const Viewpoint& from, const Limit& limit, Place p) const;
-    [[nodiscard]] CertifiedSign by_tier(const Viewpoint& from, const Point2& b, const Point2& c) const;
+    [[nodiscard]] CertifiedSign by_tier(const Viewpoint& from, const Point2& b,
+                                        const Point2& c) const;
     [[nodiscard]] RationalPoint2 exact_position(const Viewpoint& from) const;
 
     const Triangulation& t_;

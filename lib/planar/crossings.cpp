@@ -12,7 +12,11 @@ Crossings::Crossings(const Triangulation& t) : crossings_(3 * t.triangle_count()
             const Place apex = t.apex(base + i);
             const Point2& p = t.position(apex);
             // Entering through p→q, q is on the right: the left exit is apex→p, the right one q→apex.
-            crossings_[index(base + i)] = {p.x, p.y, apex, out[prev(i)], out[next(i)],
+            crossings_[index(base + i)] = {p.x,
+                                           p.y,
+                                           apex,
+                                           out[prev(i)],
+                                           out[next(i)],
                                            (t.is_scene_place(apex) ? is_vertex_flag : 0U) |
                                                (t.is_pinch(apex) ? is_pinch_flag : 0U)};
         }

@@ -11,11 +11,11 @@ namespace sightline::detail {
 /// What a cone of sight meets when it enters a free triangle through one edge: half a cache line that
 /// holds all that one step of the expansion reads.
 struct alignas(32) Crossing {
-    double x, y;           ///< the apex opposite the edge
+    double x, y;  ///< the apex opposite the edge
     Place apex;
     /// Where the cone goes on through the edge on its left (apex…left end) and right, or no_index.
     std::uint32_t left, right;
-    std::uint32_t flags;   ///< of the apex
+    std::uint32_t flags;  ///< of the apex
 };
 inline constexpr std::uint32_t is_vertex_flag = 1;  ///< a scene vertex lies there
 inline constexpr std::uint32_t is_pinch_flag = 2;
@@ -26,7 +26,9 @@ class Crossings {
 public:
     explicit Crossings(const Triangulation& t);
 
-    [[nodiscard]] const Crossing& operator[](std::uint32_t i) const noexcept { return crossings_[i]; }
+    [[nodiscard]] const Crossing& operator[](std::uint32_t i) const noexcept {
+        return crossings_[i];
+    }
     [[nodiscard]] static constexpr std::uint32_t index(HalfEdge h) noexcept {
         return (h >> 2U) * 3 + (h & 3U);
     }

@@ -30,7 +30,9 @@ template <typename Visitor>
 class Expansion {
 public:
     Expansion(const Crossings& crossings, ConeSigns& signs, Visitor& visitor)
-        : crossings_(crossings), signs_(signs), visitor_(visitor) {}
+        : crossings_(crossings), signs_(signs), visitor_(visitor) {
+        stack_.reserve(64);
+    }
 
     /// Changes the viewpoint.
     void look_from(const Viewpoint& from) {
@@ -130,7 +132,8 @@ inline void Expansion<Visitor>::split(const Crossing& c, double dx, double dy, C
     if (c.left != no_index) {
         stack_.push_back({c.left, cone.left, middle});
     } else if constexpr (Visitor::wants_blocked) {
-        stack_.push_back({blocked_bit | prev(Crossings::half_edge(cone.crossing)), cone.left, middle});
+        stack_.push_back(
+            {blocked_bit | prev(Crossings::half_edge(cone.crossing)), cone.left, middle});
     } else if (cone.left.touches && cone.left.armed) {
         visitor_.follow(cone.left);
     }

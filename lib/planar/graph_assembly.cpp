@@ -19,7 +19,8 @@ Compressed both_directions(const Triangulation& t, const std::vector<HalfRows>& 
         for (const HalfRows& block : rows) {
             std::uint64_t i = 0;
             for (std::size_t r = 0; r < block.ends.size(); ++r)
-                for (; i < block.ends[r]; ++i) visit(block.first + static_cast<Place>(r), block.places[i]);
+                for (; i < block.ends[r]; ++i)
+                    visit(block.first + static_cast<Place>(r), block.places[i]);
         }
     };
     each([&](Place p, Place q) {

@@ -10,8 +10,8 @@ namespace sightline::detail {
 
 /// Half rows of consecutive places, as one worker found them.
 struct HalfRows {
-    Place first = 0;                     ///< the place of the first row
-    std::vector<std::uint64_t> ends;     ///< where each row ends in `places`
+    Place first = 0;                  ///< the place of the first row
+    std::vector<std::uint64_t> ends;  ///< where each row ends in `places`
     std::vector<Place> places;
 };
 

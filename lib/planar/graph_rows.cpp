@@ -43,7 +43,13 @@ bool GraphRows::is_straight_above(Place p) const {
 
 Limit GraphRows::towards(Place p) const {
     const Point2& q = t_.position(p);
-    return {q.x - from_.position.x, q.y - from_.position.y, p, Limit::Kind::towards, true, false, false};
+    return {q.x - from_.position.x,
+            q.y - from_.position.y,
+            p,
+            Limit::Kind::towards,
+            true,
+            false,
+            false};
 }
 
 // The triangle (v, p, q) of h: the edge to p, then the cone between p and q, as far as they lie in the
@@ -96,7 +102,8 @@ void GraphRows::look_along(HalfEdge h, Place p) {
 void GraphRows::exclude_boundary(HalfEdge h) {
     const Place first = t_.target(h);
     RayWalk walk(t_, v_, first);
-    for (Place p = walk.next_place(); p != no_index && walk.ran_along_boundary(); p = walk.next_place())
+    for (Place p = walk.next_place(); p != no_index && walk.ran_along_boundary();
+         p = walk.next_place())
         seen_[p] = v_;
 }
 

@@ -15,7 +15,8 @@ class GraphRows {
 public:
     static constexpr bool wants_blocked = false;
 
-    GraphRows(const Triangulation& t, const Crossings& crossings, const VisibilityGraphOptions& options);
+    GraphRows(const Triangulation& t, const Crossings& crossings,
+              const VisibilityGraphOptions& options);
 
     /// Appends the half row of v to out, in no particular order, without repeats.
     void append(Place v, std::vector<Place>& out);

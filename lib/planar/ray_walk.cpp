@@ -3,12 +3,30 @@
 
 namespace sightline::detail {
 
+RayWalk::RayWalk(const Triangulation& t, const Viewpoint& v, const Location& start, Place toward)
+    : t_(t), from_(v), toward_(toward), at_(v.place), start_(start) {}
+
+RationalPoint2 RayWalk::exact_start() const {
+    if (from_.place != no_index) return t_.exact_position(from_.place);
+    return from_.exact != nullptr ? *from_.exact : to_rational(from_.position);
+}
+
 Sign RayWalk::side(Place p) const {
-    return p == from_ || p == toward_ ? Sign::zero : t_.orientation(from_, toward_, p);
+    if (p == toward_) return Sign::zero;
+    if (from_.place != no_index)
+        return p == from_.place ? Sign::zero : t_.orientation(from_.place, toward_, p);
+    Limit ray;
+    ray.place = toward_;
+    return ConeSigns(t_, Arithmetic::filtered).side(from_, ray, p);
 }
 
 // For p on the ray's line, other than the current place: before or behind it?
-bool RayWalk::is_ahead(Place p) const { return t_.compare(at_, p) == t_.compare(from_, toward_); }
+bool RayWalk::is_ahead(Place p) const {
+    if (from_.place != no_index) return t_.compare(at_, p) == t_.compare(from_.place, toward_);
+    const bool up = exact_start() < t_.exact_position(toward_);
+    return at_ == no_index ? (exact_start() < t_.exact_position(p)) == up
+                           : t_.compare(at_, p) == (up ? Sign::negative : Sign::positive);
+}
 
 void RayWalk::look_at(HalfEdge h, Surroundings& s) const {
     const Place x = t_.target(h);
@@ -55,7 +73,7 @@ bool RayWalk::pass(const Surroundings& s) {
     }
     if (!out_left && !out_right) return false;
     const bool out_wall = out != no_index && t_.is_wall(out);
-    if (at_ == from_) {  // a run that contains the segment's end does not block
+    if (at_ == from_.place) {  // a run that contains the segment's end does not block
         in_wall_ = out_wall;
         came_ = false;
         left_ = right_ = left_of_solid_ = right_of_solid_ = true;
@@ -95,14 +113,20 @@ bool RayWalk::can_leave() {
 }
 
 Place RayWalk::next_place() {
+    stopped_by_ = no_index;
+    if (at_ == no_index) return at_ = first_place(start_);
     const Surroundings s = look();
     if (!pass(s)) return no_index;
     if (s.out_edge != no_index) {
         at_ = t_.target(s.out_edge);
-        along_boundary_ = t_.is_constrained(s.out_edge) && !(t_.is_free(s.out_edge) && t_.twin(s.out_edge) != no_index && t_.is_free(t_.twin(s.out_edge)));
+        along_boundary_ = t_.is_constrained(s.out_edge) &&
+                          !(t_.is_free(s.out_edge) && t_.twin(s.out_edge) != no_index &&
+                            t_.is_free(t_.twin(s.out_edge)));
     } else {
-        at_ = cross_triangles(next(s.out_triangle));
+        const Place reached = cross_triangles(next(s.out_triangle));
         along_boundary_ = false;
+        if (reached == no_index) return no_index;
+        at_ = reached;
     }
     return at_;
 }
@@ -112,8 +136,7 @@ void RayWalk::skip_to(Place w) {
         at_ = w;
         return;
     }
-    while (at_ != w && at_ != no_index) at_ = next_place();
-    SIGHTLINE_EXPECT(at_ == w);
+    while (at_ != w) SIGHTLINE_EXPECT(next_place() != no_index);
 }
 
 // The ray leaves a triangle through h, which runs from its right to its left.
@@ -124,6 +147,33 @@ Place RayWalk::cross_triangles(HalfEdge h) {
         const Sign s = side(apex);
         if (s == Sign::zero) return apex;
         h = s == Sign::positive ? next(g) : prev(g);
+    }
+    stopped_by_ = h;
+    return no_index;
+}
+
+// From a start that is no place: through its triangle, or along its edge.
+Place RayWalk::first_place(const Location& start) {
+    if (start.kind == Location::Kind::edge && side(t_.origin(start.half_edge)) == Sign::zero) {
+        const bool to_target = is_ahead(t_.target(start.half_edge));
+        const bool wall = t_.is_wall(start.half_edge);
+        in_wall_ = wall;
+        return to_target ? t_.target(start.half_edge) : t_.origin(start.half_edge);
+    }
+    const auto leave = [&](HalfEdge h) {
+        const Sign right = side(t_.origin(h));
+        const Sign left = side(t_.target(h));
+        return right == Sign::negative && left == Sign::positive;
+    };
+    for (const HalfEdge base : {start.half_edge, t_.twin(start.half_edge)}) {
+        if (base == no_index || (base != start.half_edge && start.kind != Location::Kind::edge))
+            continue;
+        for (const HalfEdge h : {base, next(base), prev(base)}) {
+            if (start.kind == Location::Kind::edge && h == base) continue;
+            if (side(t_.origin(h)) == Sign::zero && is_ahead(t_.origin(h))) return t_.origin(h);
+            if (side(t_.target(h)) == Sign::zero && is_ahead(t_.target(h))) return t_.target(h);
+            if (leave(h)) return cross_triangles(h);
+        }
     }
     return no_index;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "planar/triangulation.hpp"
+#include "planar/point_locator.hpp"
 
 namespace sightline::detail {
 
@@ -11,8 +11,14 @@ namespace sightline::detail {
 class RayWalk {
 public:
     /// Stands at v, looking along v→toward (a different place, in any distance).
-    RayWalk(const Triangulation& t, Place v, Place toward) : t_(t), from_(v), toward_(toward), at_(v) {}
+    RayWalk(const Triangulation& t, Place v, Place toward)
+        : t_(t), from_{t.position(v), v}, toward_(toward), at_(v) {}
+    /// The same from any point, which lies at `start`.
+    RayWalk(const Triangulation& t, const Viewpoint& v, const Location& start, Place toward);
 
+    /// What the ray ran into when it did not come to another place: an edge, seen from this side; or
+    /// no_index when it could not leave the last place.
+    [[nodiscard]] HalfEdge stopped_by() const noexcept { return stopped_by_; }
     /// Moves on to the place w on the ray, which is known to be visible. Without walls nothing before w
     /// matters there and the way is not walked.
     void skip_to(Place w);
@@ -38,11 +44,15 @@ private:
     [[nodiscard]] bool is_ahead(Place p) const;
     [[nodiscard]] bool pass(const Surroundings& s);
     [[nodiscard]] Place cross_triangles(HalfEdge h);
+    [[nodiscard]] Place first_place(const Location& start);
+    [[nodiscard]] RationalPoint2 exact_start() const;
 
     const Triangulation& t_;
-    Place from_;
+    Viewpoint from_;
     Place toward_;
-    Place at_;
+    Place at_;  // no_index: at the start, which is no place
+    Location start_{};
+    HalfEdge stopped_by_ = no_index;
     bool along_boundary_ = false;
     // While the ray runs inside walls: is its left (right) side joined to where it came from, near the
     // run, in the complement of W ∪ B, and in the complement of B alone? `came_`: it came from outside.

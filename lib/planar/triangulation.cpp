@@ -19,11 +19,13 @@ bool Triangulation::is_on_exact_grid(const Point2& p) const noexcept {
 }
 
 RationalPoint2 Triangulation::exact_position(Place p) const {
-    return p < first_constructed_ ? to_rational(position_[p]) : constructed_[p - first_constructed_];
+    return p < first_constructed_ ? to_rational(position_[p])
+                                  : constructed_[p - first_constructed_];
 }
 
 Sign Triangulation::orientation(Place a, Place b, Place c) const {
-    if (has_constructed() && (a >= first_constructed_ || b >= first_constructed_ || c >= first_constructed_))
+    if (has_constructed() &&
+        (a >= first_constructed_ || b >= first_constructed_ || c >= first_constructed_))
         return sightline::orientation(exact_position(a), exact_position(b), exact_position(c));
     const Point2& p = position_[a];
     const Point2& q = position_[b];

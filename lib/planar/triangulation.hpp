@@ -22,8 +22,12 @@ using HalfEdge = std::uint32_t;
 inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 inline constexpr Place frame_places = 4;
 
-[[nodiscard]] constexpr HalfEdge next(HalfEdge h) noexcept { return (h & 3U) == 2U ? h - 2 : h + 1; }
-[[nodiscard]] constexpr HalfEdge prev(HalfEdge h) noexcept { return (h & 3U) == 0U ? h + 2 : h - 1; }
+[[nodiscard]] constexpr HalfEdge next(HalfEdge h) noexcept {
+    return (h & 3U) == 2U ? h - 2 : h + 1;
+}
+[[nodiscard]] constexpr HalfEdge prev(HalfEdge h) noexcept {
+    return (h & 3U) == 0U ? h + 2 : h - 1;
+}
 
 /// A constrained triangulation of a scene inside a frame that surrounds it: exact in all that matters
 /// (orientation), nearly Delaunay for speed (the in-circle test is a certified filter: it may leave an
@@ -42,7 +46,9 @@ public:
     [[nodiscard]] std::size_t place_count() const noexcept { return position_.size(); }
     /// The first constructed place; scene places are frame_places … first_constructed() − 1.
     [[nodiscard]] Place first_constructed() const noexcept { return first_constructed_; }
-    [[nodiscard]] bool has_constructed() const noexcept { return first_constructed_ < position_.size(); }
+    [[nodiscard]] bool has_constructed() const noexcept {
+        return first_constructed_ < position_.size();
+    }
     [[nodiscard]] bool is_scene_place(Place p) const noexcept {
         return p >= frame_places && p < first_constructed_;
     }
@@ -99,7 +105,8 @@ public:
     /// Whether p lies on the exact grid, inside the frame: as good as a place.
     [[nodiscard]] bool is_on_exact_grid(const Point2& p) const noexcept;
     [[nodiscard]] bool is_in_frame(const Point2& p) const noexcept {
-        return position_[0].x < p.x && p.x < position_[2].x && position_[0].y < p.y && p.y < position_[2].y;
+        return position_[0].x < p.x && p.x < position_[2].x && position_[0].y < p.y &&
+               p.y < position_[2].y;
     }
 
 private:
@@ -115,12 +122,12 @@ private:
     std::vector<VertexId> vertices_at_;
     std::vector<std::uint8_t> pinch_;
 
-    std::vector<Place> origin_;       // 4 a triangle, the fourth unused
-    std::vector<HalfEdge> twin_;      // likewise
+    std::vector<Place> origin_;   // 4 a triangle, the fourth unused
+    std::vector<HalfEdge> twin_;  // likewise
     std::vector<HalfEdge> leaving_;
-    std::vector<std::uint8_t> kind_;  // a half-edge
-    std::vector<EdgeId> scene_edge_;  // a half-edge
-    std::vector<std::uint8_t> solid_; // a triangle
+    std::vector<std::uint8_t> kind_;   // a half-edge
+    std::vector<EdgeId> scene_edge_;   // a half-edge
+    std::vector<std::uint8_t> solid_;  // a triangle
     bool has_walls_ = false;
     bool exact_grid_ = false;
     double orientation_bound_ = 0;

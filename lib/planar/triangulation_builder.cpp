@@ -50,7 +50,6 @@ void TriangulationBuilder::insert_places() {
         if ((h & 3U) != 3U) t_.leaving_[t_.origin_[h]] = h;
 }
 
-
 // A half-edge whose triangle contains p in its closure. Visibility walk; the order of the two tests
 // alternates pseudo-randomly, which ends the walk in any triangulation with probability 1.
 HalfEdge TriangulationBuilder::locate(Place p, HalfEdge start) {
@@ -194,8 +193,8 @@ bool TriangulationBuilder::is_certainly_in_circle(HalfEdge e) const {
     const double bl = bx * bx + by * by;
     const double cl = cx * cx + cy * cy;
     const double det = al * (bc - cb) + bl * (ca - ac) + cl * (ab - ba);
-    const double size = (std::fabs(bc) + std::fabs(cb)) * al + (std::fabs(ca) + std::fabs(ac)) * bl +
-                        (std::fabs(ab) + std::fabs(ba)) * cl;
+    const double size = (std::fabs(bc) + std::fabs(cb)) * al +
+                        (std::fabs(ca) + std::fabs(ac)) * bl + (std::fabs(ab) + std::fabs(ba)) * cl;
     return det > bound * size && det < DBL_MAX && size > 0x1p-900;
 }
 

@@ -50,8 +50,7 @@ HalfEdge TriangulationBuilder::first_crossed(Place a, Place b, Place& on_edge) c
             on_edge = p;
             return no_index;
         }
-        if (at_p == Sign::negative &&
-            t_.orientation(a, b, t_.origin_[prev(h)]) == Sign::positive)
+        if (at_p == Sign::negative && t_.orientation(a, b, t_.origin_[prev(h)]) == Sign::positive)
             return next(h);
         h = t_.twin_[prev(h)];
     }
@@ -105,8 +104,8 @@ Place TriangulationBuilder::split_crossing(Place a, Place b, HalfEdge crossed) {
     const HalfEdge g = t_.twin_[crossed];
     insert_on_edge(place, crossed);
     pending_.clear();  // the in-circle filter needs double coordinates
-    for (const HalfEdge base : {crossed & ~3U, g & ~3U, static_cast<HalfEdge>(before),
-                                static_cast<HalfEdge>(before + 4)})
+    for (const HalfEdge base :
+         {crossed & ~3U, g & ~3U, static_cast<HalfEdge>(before), static_cast<HalfEdge>(before + 4)})
         for (HalfEdge h = base; h < base + 3; ++h) t_.leaving_[t_.origin_[h]] = h;
     return place;
 }

@@ -68,7 +68,8 @@ std::vector<std::uint64_t> hilbert_order(std::span<const Point2> points, const B
         while (j < order.size() && order[j] >> 32U == order[i] >> 32U) ++j;
         if (j - i > 1)
             std::sort(order.begin() + static_cast<std::ptrdiff_t>(i),
-                      order.begin() + static_cast<std::ptrdiff_t>(j), [&](std::uint64_t a, std::uint64_t b) {
+                      order.begin() + static_cast<std::ptrdiff_t>(j),
+                      [&](std::uint64_t a, std::uint64_t b) {
                           const auto u = static_cast<std::uint32_t>(a);
                           const auto v = static_cast<std::uint32_t>(b);
                           if (points[u] == points[v]) return u < v;
@@ -97,7 +98,10 @@ void TriangulationBuilder::make_frame() {
     const double margin = std::ldexp(1.0, std::min(std::ilogb(size) + 1, 1022));
     const auto down = [&](double v) { return std::min(v - margin, std::nextafter(v, -DBL_MAX)); };
     const auto up = [&](double v) { return std::max(v + margin, std::nextafter(v, DBL_MAX)); };
-    t_.position_ = {{down(b.x0), down(b.y0)}, {up(b.x1), down(b.y0)}, {up(b.x1), up(b.y1)}, {down(b.x0), up(b.y1)}};
+    t_.position_ = {{down(b.x0), down(b.y0)},
+                    {up(b.x1), down(b.y0)},
+                    {up(b.x1), up(b.y1)},
+                    {down(b.x0), up(b.y1)}};
 }
 
 void TriangulationBuilder::make_places() {
@@ -127,13 +131,15 @@ void TriangulationBuilder::measure_precision() {
     const double mx = high.x - low.x;
     const double my = high.y - low.y;
     int lowest = 4096;
-    for (const Point2& p : t_.position_) lowest = std::min({lowest, lowest_bit(p.x), lowest_bit(p.y)});
+    for (const Point2& p : t_.position_)
+        lowest = std::min({lowest, lowest_bit(p.x), lowest_bit(p.y)});
     // Differences below 2^26 grid steps have products below 2^52 and a determinant below 2^53.
     const double steps = std::ldexp(std::max(mx, my), -lowest);
     t_.exact_grid_ = steps <= 0x1p26 && lowest > -500 && lowest < 400;
     t_.grid_step_ = t_.exact_grid_ ? std::ldexp(1.0, lowest) : 0;
     // A coordinate that was rounded once is off by u·|x|: twice that times the other factor, twice.
-    const double largest = std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x), std::fabs(high.y)});
+    const double largest =
+        std::max({std::fabs(low.x), std::fabs(low.y), std::fabs(high.x), std::fabs(high.y)});
     t_.rounded_point_bound_ = 9 * (DBL_EPSILON / 2) * (mx * my) +
                               4 * (DBL_EPSILON / 2) * largest * (mx + my) + 4 * DBL_MIN;
     t_.orientation_bound_ = t_.exact_grid_ ? 0 : 9 * (DBL_EPSILON / 2) * (mx * my) + 2 * DBL_MIN;

@@ -41,7 +41,8 @@ public:
     VisibilityGraph(std::vector<std::uint64_t> offsets, std::vector<VertexId> targets)
         : offsets_(std::move(offsets)), targets_(std::move(targets)) {}
     /// From any list of edges, in any order and direction, repeats allowed.
-    [[nodiscard]] static VisibilityGraph from_edges(std::size_t vertex_count, std::vector<Edge> edges);
+    [[nodiscard]] static VisibilityGraph from_edges(std::size_t vertex_count,
+                                                    std::vector<Edge> edges);
 
     [[nodiscard]] std::size_t vertex_count() const noexcept { return offsets_.size() - 1; }
     [[nodiscard]] std::size_t edge_count() const noexcept { return targets_.size() / 2; }

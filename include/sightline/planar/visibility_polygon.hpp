@@ -27,13 +27,15 @@ struct ViewVertex {
         vertex,    ///< the scene vertex `vertex`
         on_edge,   ///< where the ray from the viewpoint through `vertex` meets the edge `edge`
         infinity,  ///< the direction from the viewpoint through `vertex`
+        crossing,  ///< where the walls `edge` and `other` cross
         from,      ///< the viewpoint itself (it lies on the boundary of what it sees)
         direction  ///< at infinity, in direction `axis` (one of the four axes, where nothing bounds the view)
     };
     Kind kind = Kind::vertex;
     std::uint8_t axis = 0;  ///< 0 +x, 1 +y, 2 -x, 3 -y
-    VertexId vertex;
-    EdgeId edge;
+    VertexId vertex{};
+    EdgeId edge{};
+    EdgeId other{};
 
     friend auto operator<=>(const ViewVertex&, const ViewVertex&) = default;
 };
@@ -63,11 +65,13 @@ struct VisibilityPolygon {
 };
 
 /// Exact coordinates of one vertex of a visibility polygon.
-[[nodiscard]] ViewPoint exact_point(const Scene2& scene, const RationalPoint2& from, const ViewVertex& v);
+[[nodiscard]] ViewPoint exact_point(const Scene2& scene, const RationalPoint2& from,
+                                    const ViewVertex& v);
 
 /// The canonical ring of semantics and formats: exact, counter-clockwise from the lexicographically least
 /// finite vertex, consecutive equal points and straight (180°) vertices removed.
-[[nodiscard]] std::vector<ViewPoint> exact_ring(const Scene2& scene, const VisibilityPolygon& polygon);
+[[nodiscard]] std::vector<ViewPoint> exact_ring(const Scene2& scene,
+                                                const VisibilityPolygon& polygon);
 
 /// A scene prepared for many visibility polygons. Immutable and safe to share between threads.
 class PointVisibility2 {
@@ -78,10 +82,10 @@ public:
     PointVisibility2& operator=(PointVisibility2&&) noexcept;
 
     /// Fails with inside_body or outside_of_world.
-    [[nodiscard]] Result<VisibilityPolygon> from(const Point2& q,
-                                                 const VisibilityPolygonOptions& options = {}) const;
-    [[nodiscard]] Result<VisibilityPolygon> from(const RationalPoint2& q,
-                                                 const VisibilityPolygonOptions& options = {}) const;
+    [[nodiscard]] Result<VisibilityPolygon> from(
+        const Point2& q, const VisibilityPolygonOptions& options = {}) const;
+    [[nodiscard]] Result<VisibilityPolygon> from(
+        const RationalPoint2& q, const VisibilityPolygonOptions& options = {}) const;
     /// The same into storage that the caller reuses.
     [[nodiscard]] Result<void> from(const Point2& q, const VisibilityPolygonOptions& options,
                                     VisibilityPolygon& out) const;
@@ -92,7 +96,7 @@ private:
 };
 
 /// The visibility polygon of one point, one-off.
-[[nodiscard]] Result<VisibilityPolygon> visibility_polygon(const Scene2& scene, const RationalPoint2& q,
-                                                           const VisibilityPolygonOptions& options = {});
+[[nodiscard]] Result<VisibilityPolygon> visibility_polygon(
+    const Scene2& scene, const RationalPoint2& q, const VisibilityPolygonOptions& options = {});
 
 }  // namespace sightline
