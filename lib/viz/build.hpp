@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "sightline/viz/draw.hpp"
 
@@ -15,5 +16,15 @@ namespace sightline::viz::detail {
 /// A picture of the scene that shows the given places too, ready for more.
 [[nodiscard]] DrawList begin(const Scene2& scene, const DrawOptions& options,
                              std::span<const RationalPoint2> places);
+
+/// The finite places of a view, and where it is seen from.
+[[nodiscard]] inline std::vector<RationalPoint2> places_of(const RationalPoint2& from,
+                                                           std::span<const ViewPoint> ring) {
+    std::vector<RationalPoint2> places{from};
+    for (const ViewPoint& p : ring) {
+        if (!p.at_infinity) places.push_back(p.coordinates);
+    }
+    return places;
+}
 
 }  // namespace sightline::viz::detail

@@ -13,7 +13,7 @@ Style edge_style(std::size_t edges) {
     const double crowd = std::max(1.0, static_cast<double>(edges) / 150);
     return {.colour = Palette::blue,
             .width = std::clamp(1.1 / std::pow(crowd, 0.14), 0.4, 1.1),
-            .opacity = std::clamp(0.8 / std::pow(crowd, 0.33), 0.06, 0.8)};
+            .opacity = std::clamp(0.8 / std::pow(crowd, 0.37), 0.05, 0.8)};
 }
 
 }  // namespace

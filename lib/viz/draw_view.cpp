@@ -85,22 +85,13 @@ std::vector<Position> bounded_ring(const Border& border, std::span<const ViewPoi
     return result;
 }
 
-/// The finite places of a view, and where it is seen from.
-std::vector<RationalPoint2> places_of(const RationalPoint2& from, std::span<const ViewPoint> ring) {
-    std::vector<RationalPoint2> places{from};
-    for (const ViewPoint& p : ring) {
-        if (!p.at_infinity) places.push_back(p.coordinates);
-    }
-    return places;
-}
-
 }  // namespace
 
 void add_view(DrawList& list, const RationalPoint2& from, std::span<const ViewPoint> ring,
               std::span<const NeedlePoints> needles) {
     const Position eye = detail::position(from);
     Box box = list.view.is_empty() ? bounds(list) : list.view;
-    for (const RationalPoint2& p : places_of(from, ring)) box.add(detail::position(p));
+    for (const RationalPoint2& p : detail::places_of(from, ring)) box.add(detail::position(p));
     if (list.view.is_empty()) list.view = box = window_around(box);
     const Border border(box, eye);
     list.add({.name = "view",
@@ -129,22 +120,6 @@ void add_view(DrawList& list, const RationalPoint2& from, std::span<const ViewPo
          .order = PaintOrder::marks,
          .style = {.colour = {130, 40, 110}, .width = 0, .marker = Marker::disc, .marker_size = 10},
          .points = {eye}});
-}
-
-void add_view(DrawList& list, const Scene2& scene, const VisibilityPolygon& polygon) {
-    std::vector<NeedlePoints> needles;
-    for (const auto& [near, far] : polygon.needles) {
-        needles.emplace_back(exact_point(scene, polygon.from, near),
-                             exact_point(scene, polygon.from, far));
-    }
-    add_view(list, polygon.from, exact_ring(scene, polygon), needles);
-}
-
-DrawList draw(const Scene2& scene, const VisibilityPolygon& polygon, const DrawOptions& options) {
-    const std::vector<ViewPoint> ring = exact_ring(scene, polygon);
-    DrawList list = detail::begin(scene, options, places_of(polygon.from, ring));
-    add_view(list, scene, polygon);
-    return list;
 }
 
 }  // namespace sightline::viz

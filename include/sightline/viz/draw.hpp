@@ -17,7 +17,7 @@
 namespace sightline::viz {
 
 struct DrawOptions {
-    std::string title;
+    std::string title{};
     /// Whether scene vertices are marked; points of the scene always are.
     bool vertices = false;
     /// Whether vertices are named v0, v1…
