@@ -73,14 +73,27 @@ Position place(const Border& border, const ViewPoint& p) {
     return p.at_infinity ? border.exit(p.coordinates) : detail::position(p.coordinates);
 }
 
-std::vector<Position> bounded_ring(const Border& border, std::span<const ViewPoint> ring) {
-    std::vector<Position> result;
+/// The area seen, and its boundary without the pieces along the border.
+struct BoundedView {
+    Polygon area;
+    std::vector<Polyline> boundary;
+};
+
+BoundedView bounded(const Border& border, std::span<const ViewPoint> ring) {
+    BoundedView result;
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const ViewPoint& next = ring[(i + 1) % ring.size()];
-        result.push_back(place(border, ring[i]));
-        if (!ring[i].at_infinity || !next.at_infinity) continue;
-        const auto corners = border.corners_between(result.back(), place(border, next));
-        result.insert(result.end(), corners.begin(), corners.end());
+        const Position here = place(border, ring[i]);
+        const Position there = place(border, next);
+        result.area.outer.push_back(here);
+        if (ring[i].at_infinity && next.at_infinity) {
+            const auto corners = border.corners_between(here, there);
+            result.area.outer.insert(result.area.outer.end(), corners.begin(), corners.end());
+        } else if (!result.boundary.empty() && result.boundary.back().points.back() == here) {
+            result.boundary.back().points.push_back(there);
+        } else {
+            result.boundary.push_back({{here, there}, 0});
+        }
     }
     return result;
 }
@@ -94,14 +107,16 @@ void add_view(DrawList& list, const RationalPoint2& from, std::span<const ViewPo
     for (const RationalPoint2& p : detail::places_of(from, ring)) box.add(detail::position(p));
     if (list.view.is_empty()) list.view = box = window_around(box);
     const Border border(box, eye);
+    BoundedView seen = bounded(border, ring);
     list.add({.name = "view",
               .legend = "seen from the viewpoint",
               .order = PaintOrder::views,
-              .style = {.colour = {150, 120, 0},
-                        .width = 1,
-                        .fill = Palette::yellow,
-                        .fill_opacity = 0.5},
-              .polygons = {{bounded_ring(border, ring), {}, 0}}});
+              .style = {.width = 0, .fill = Palette::yellow, .fill_opacity = 0.5},
+              .polygons = {std::move(seen.area)}});
+    list.add({.name = "view boundary",
+              .order = PaintOrder::views,
+              .style = {.colour = {150, 120, 0}, .width = 1},
+              .polylines = std::move(seen.boundary)});
     if (!needles.empty()) {
         Layer layer{.name = "needles",
                     .legend = "needles",

@@ -144,6 +144,7 @@ void place_labels(const DrawList& list, double size, Layout& layout) {
             const double width = estimated_width(label.text, size);
             const double away = layer.style.marker_size / 2 + 4;
             const Pixel p = layout.to_pixel(label.at);
+            if (!layout.data.contains({p.x, p.y, 0, 0})) continue;
             const auto places = places_round(p, away, width, size);
             const auto box = [&](Pixel at) {
                 return Rectangle{at.x - 2, at.y - size, width + 4, 1.25 * size};

@@ -64,7 +64,7 @@ struct Pixels {
 
 void draw_pixels(const DrawList& list, const detail::Layout& layout, unsigned scale, void* display,
                  Pixels& result) {
-    const detail::VtkPage page(list, layout, scale);
+    const detail::VtkPage page(list, layout, scale, false);
     result.width = static_cast<unsigned>(layout.width) * scale;
     result.height = static_cast<unsigned>(layout.height) * scale;
     vtkNew<vtkRenderWindow> window;

@@ -33,10 +33,16 @@ namespace {
 /// Polydata under construction, in pixels with y upwards.
 class Mesh {
 public:
-    explicit Mesh(double z) : z_(z) {}
+    /// With a width, lines become areas: OpenGL's own wide lines are thinner when they are slanted.
+    explicit Mesh(double z, double line_width = 0) : z_(z), line_width_(line_width) {}
 
     vtkIdType point(Pixel p) { return points_->InsertNextPoint(p.x, p.y, z_); }
     void line(std::span<const Pixel> chain, bool closed) {
+        if (line_width_ > 0) {
+            for (std::size_t i = 1; i < chain.size(); ++i) bar(chain[i - 1], chain[i]);
+            if (closed) bar(chain.back(), chain.front());
+            return;
+        }
         const vtkIdType first = points_->GetNumberOfPoints();
         lines_->InsertNextCell(static_cast<int>(chain.size()) + (closed ? 1 : 0));
         for (const Pixel& p : chain) lines_->InsertCellPoint(point(p));
@@ -60,7 +66,18 @@ public:
     }
 
 private:
+    void bar(Pixel a, Pixel b) {
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        if (length == 0) return;
+        const double x = (b.x - a.x) / length * line_width_ / 2;
+        const double y = (b.y - a.y) / length * line_width_ / 2;
+        const Pixel corners[] = {
+            {a.x - y, a.y + x}, {a.x + y, a.y - x}, {b.x + y, b.y - x}, {b.x - y, b.y + x}};
+        convex(corners);
+    }
+
     double z_;
+    double line_width_;
     vtkNew<vtkPoints> points_;
     vtkNew<vtkCellArray> lines_;
     vtkNew<vtkCellArray> polys_;
@@ -240,13 +257,15 @@ void look_at(vtkRenderer* renderer, Pixel centre, double height) {
 }  // namespace
 
 struct VtkPage::Parts {
-    Parts(Layout arranged, double pixels_a_unit)
+    Parts(Layout arranged, double pixels_a_unit, bool for_zooming)
         : layout(std::move(arranged)),
+          zoomable(for_zooming),
           scale(pixels_a_unit),
           height(layout.height),
           data(layout.data) {}
 
     Layout layout;
+    bool zoomable;
     double scale;
     double height;   ///< of the layout that the drawing's coordinates come from
     Rectangle data;  ///< of that layout
@@ -307,7 +326,7 @@ void VtkPage::Parts::add_filled(Mesh& areas, const Polygon& polygon) const {
 void VtkPage::Parts::add_layer(const Layer& layer, double z) {
     const Style& style = layer.style;
     Mesh areas(z);
-    Mesh lines(z);
+    Mesh lines(z, !zoomable && style.width * scale > 1 ? style.width : 0);
     std::vector<Pixel> joints;
     for (const Polygon& polygon : layer.polygons) {
         if (style.fill_opacity > 0) add_filled(areas, polygon);
@@ -344,8 +363,8 @@ void VtkPage::Parts::add_labels() {
     }
 }
 
-VtkPage::VtkPage(const DrawList& list, Layout layout, double scale)
-    : parts_(std::make_unique<Parts>(std::move(layout), scale)) {
+VtkPage::VtkPage(const DrawList& list, Layout layout, double scale, bool zoomable)
+    : parts_(std::make_unique<Parts>(std::move(layout), scale, zoomable)) {
     for (vtkRenderer* renderer : {page(), drawing()}) {
         renderer->SetBackground(1, 1, 1);
         // VTK's own way with translucent things mixes their colours without an order.

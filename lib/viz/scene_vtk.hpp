@@ -13,8 +13,8 @@ namespace sightline::viz::detail {
 
 class VtkPage {
 public:
-    /// `scale` pixels of the window are one of the layout.
-    VtkPage(const DrawList& list, Layout layout, double scale);
+    /// `scale` pixels of the window are one of the layout. When `zoomable`, lines keep their width.
+    VtkPage(const DrawList& list, Layout layout, double scale, bool zoomable);
     VtkPage(const VtkPage&) = delete;
     VtkPage& operator=(const VtkPage&) = delete;
     ~VtkPage();

@@ -118,7 +118,7 @@ struct Window::Parts {
         : list(shown),
           page(shown,
                layout_for(shown, static_cast<int>(options.width), static_cast<int>(options.height)),
-               1),
+               1, true),
           first_scale(camera()->GetParallelScale()) {}
 
     [[nodiscard]] vtkCamera* camera() const { return page.drawing()->GetActiveCamera(); }

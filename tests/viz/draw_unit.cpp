@@ -147,6 +147,17 @@ TEST(DrawView, DirectionsEndAtTheEdgeOfThePicture) {
                 ElementsAre(Position{1, 0}, Position{10, 0}, Position{10, 5}, Position{2, 1}));
 }
 
+TEST(DrawView, BoundaryLeavesOutTheEdgeOfThePicture) {
+    DrawList list;
+    list.view = wide_view();
+    const std::vector<ViewPoint> ring{towards(2, 1), at(2, 1), at(1, 0), towards(1, 0)};
+    add_view(list, {0, 0}, ring);
+    const Layer* boundary = list.find("view boundary");
+    ASSERT_EQ(boundary->polylines.size(), 1u);
+    EXPECT_THAT(boundary->polylines[0].points,
+                ElementsAre(Position{10, 5}, Position{2, 1}, Position{1, 0}, Position{10, 0}));
+}
+
 TEST(DrawView, CornersBetweenDirectionsBelongToTheView) {
     EXPECT_THAT(drawn_ring({0, 0}, {at(0, 0), towards(1, 0), towards(-1, 0)}),
                 ElementsAre(Position{0, 0}, Position{10, 0}, Position{10, 10}, Position{-10, 10},
@@ -192,7 +203,7 @@ TEST(DrawView, NeedlesAndViewpointHaveLayersOfTheirOwn) {
     const std::vector<ViewPoint> ring{at(0, 0), at(1, 0), at(0, 1)};
     const std::vector<NeedlePoints> needles{{at(1, 0), towards(1, 0)}};
     add_view(list, {0, 0}, ring, needles);
-    EXPECT_THAT(names(list), ElementsAre("view", "needles", "viewpoint"));
+    EXPECT_THAT(names(list), ElementsAre("view", "view boundary", "needles", "viewpoint"));
     EXPECT_THAT(list.find("needles")->segments, ElementsAre(Position{1, 0}, Position{10, 0}));
     EXPECT_THAT(list.find("viewpoint")->points, ElementsAre(Position{0, 0}));
     EXPECT_LT(list.find("view")->style.fill_opacity, 1) << "bodies shine through";
@@ -205,8 +216,8 @@ TEST(DrawAll, SceneGraphViewAndPathStackInReadingOrder) {
     const std::vector<ViewPoint> ring{at(0, 0), at(1, 0), at(0, 1)};
     add_view(list, {0, 0}, ring);
     add_graph(list, scene, VisibilityGraph::from_edges(5, {{VertexId{0}, VertexId{1}}}));
-    EXPECT_THAT(names(list), ElementsAre("bodies", "view", "graph", "walls", "vertices", "path",
-                                         "turns", "from", "to", "viewpoint"));
+    EXPECT_THAT(names(list), ElementsAre("bodies", "view", "view boundary", "graph", "walls",
+                                         "vertices", "path", "turns", "from", "to", "viewpoint"));
 }
 
 }  // namespace

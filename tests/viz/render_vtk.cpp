@@ -28,7 +28,11 @@ using testing::Not;
 class RenderPng : public testing::Test {
 protected:
     void SetUp() override {
-        if (auto server = detail::Xvfb::start(); !server) GTEST_SKIP() << server.error().message;
+        static const std::string missing = [] {
+            const auto server = detail::Xvfb::start();
+            return server ? std::string() : server.error().message;
+        }();
+        if (!missing.empty()) GTEST_SKIP() << missing;
         folder_ =
             std::filesystem::path(testing::TempDir()) / ("sightline-" + std::to_string(::getpid()));
         std::filesystem::create_directory(folder_);
@@ -93,7 +97,8 @@ TEST_F(RenderPng, PictureHasTheSizeAndTheColoursOfTheList) {
 }
 
 TEST_F(RenderPng, SizeAskedForIsTheSizeGiven) {
-    ASSERT_TRUE(render_png(small_picture(), file("a.png"), {.width = 500, .height = 400}));
+    ASSERT_TRUE(render_png(small_picture(), file("a.png"),
+                           {.width = 500, .height = 400, .supersampling = 1}));
     const Image image(file("a.png"));
     EXPECT_EQ(image.data->GetDimensions()[0], 500);
     EXPECT_EQ(image.data->GetDimensions()[1], 400);
@@ -101,7 +106,7 @@ TEST_F(RenderPng, SizeAskedForIsTheSizeGiven) {
 
 TEST_F(RenderPng, TitleIsDrawn) {
     DrawList list = small_picture();
-    ASSERT_TRUE(render_png(list, file("a.png"), {.width = 400}));
+    ASSERT_TRUE(render_png(list, file("a.png"), {.width = 400, .supersampling = 2}));
     const Image image(file("a.png"));
     bool dark = false;
     for (int x = 16; x < 150; ++x) dark = dark || image.at(x, 24).green < 100;
@@ -110,7 +115,7 @@ TEST_F(RenderPng, TitleIsDrawn) {
 
 TEST_F(RenderPng, CoordinatesFarFromOneAreDrawnAlike) {
     DrawList list = small_picture();
-    ASSERT_TRUE(render_png(list, file("a.png"), {.width = 400}));
+    ASSERT_TRUE(render_png(list, file("a.png"), {.width = 400, .supersampling = 2}));
     const auto scale = [](Position& p) { p = {p.x * 0x1p500, p.y * 0x1p500, 0}; };
     scale(list.view.low);
     scale(list.view.high);
@@ -125,7 +130,7 @@ TEST_F(RenderPng, CoordinatesFarFromOneAreDrawnAlike) {
         for (auto& label : layer.labels) scale(label.at);
     }
     list.scale_bar = true;
-    ASSERT_TRUE(render_png(list, file("b.png"), {.width = 400}));
+    ASSERT_TRUE(render_png(list, file("b.png"), {.width = 400, .supersampling = 2}));
     const Image small(file("a.png"));
     const Image large(file("b.png"));
     int different = 0;
@@ -136,8 +141,8 @@ TEST_F(RenderPng, CoordinatesFarFromOneAreDrawnAlike) {
 }
 
 TEST_F(RenderPng, NothingIsLeftBesideTheFile) {
-    ASSERT_TRUE(render_png(small_picture(), file("a.png"), {.width = 300}));
-    ASSERT_TRUE(render_png(small_picture(), file("a.png"), {.width = 300}))
+    ASSERT_TRUE(render_png(small_picture(), file("a.png"), {.width = 300, .supersampling = 1}));
+    ASSERT_TRUE(render_png(small_picture(), file("a.png"), {.width = 300, .supersampling = 1}))
         << "again, over the old one";
     EXPECT_EQ(files(), 1);
     EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "no server of ours is left";
@@ -145,7 +150,8 @@ TEST_F(RenderPng, NothingIsLeftBesideTheFile) {
 }
 
 TEST_F(RenderPng, UnwritablePathIsNamedAndNothingIsWritten) {
-    const auto answer = render_png(small_picture(), file("none/a.png"), {.width = 300});
+    const auto answer =
+        render_png(small_picture(), file("none/a.png"), {.width = 300, .supersampling = 1});
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, Errc::cannot_write);
     EXPECT_THAT(answer.error().message, HasSubstr("none/a.png"));
@@ -164,13 +170,13 @@ TEST_F(RenderPng, ImpossibleSizesAreRefused) {
 
 TEST_F(RenderPng, DeadDisplayIsReplacedByOneOfOurOwn) {
     const Environment display("DISPLAY", ":4711");
-    EXPECT_TRUE(render_png(small_picture(), file("a.png"), {.width = 300}));
+    EXPECT_TRUE(render_png(small_picture(), file("a.png"), {.width = 300, .supersampling = 1}));
 }
 
 TEST(RenderWithoutDisplay, SaysWhatToInstall) {
     const Environment display("DISPLAY", nullptr);
     const Environment path("PATH", "/nonexistent");
-    const auto answer = render_png(small_picture(), "a.png", {.width = 300});
+    const auto answer = render_png(small_picture(), "a.png", {.width = 300, .supersampling = 1});
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().code, Errc::unsupported);
     EXPECT_THAT(answer.error().message, HasSubstr("xvfb"));

@@ -113,9 +113,13 @@ TEST(Svg, LegendStandsOutsideTheDrawingAndInsideThePicture) {
 
 TEST(Svg, LabelsDoNotCoverEachOtherAndStayInside) {
     DrawList list = small_picture();
-    list.layers[3].labels = {
-        {{0.1, 9.9}, "one"}, {{9.9, 0.1}, "two"}, {{0.1, 9.9}, "three"}, {{5, 5}, "four"}};
+    list.layers[3].labels = {{{11, 5}, "outside"},
+                             {{0.1, 9.9}, "one"},
+                             {{9.9, 0.1}, "two"},
+                             {{0.1, 9.9}, "three"},
+                             {{5, 5}, "four"}};
     const detail::Layout layout = detail::make_layout(list, {.width = 500});
+    EXPECT_EQ(layout.labels.size(), 4u) << "what is outside of the picture has no label";
     std::vector<detail::Rectangle> boxes;
     for (const auto& l : layout.labels) {
         boxes.push_back({l.at.x, l.at.y - l.size, detail::estimated_width(l.text, l.size), l.size});
