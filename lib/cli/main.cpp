@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <ios>
+
+#include "cli/interruption.hpp"
+#include "cli/program.hpp"
+
+int main(int argc, char** argv) {
+    using namespace sightline::detail;
+    std::ios::sync_with_stdio(false);
+    handle_interruptions();
+    Program program;
+    for (const auto add : {add_info, add_graph}) add(program);
+    return static_cast<int>(program.run(argc, argv));
+}
