@@ -84,11 +84,33 @@ bool append_product(const Pair& x, const Pair& y, double sign, double* terms) {
     return true;
 }
 
+// The same polynomial with all numbers multiplied by a power of two, which its sign does not notice,
+// so that the largest is near 1; empty when a number does not survive this unchanged.
+std::optional<ProductDifference<double>> normalised(const ProductDifference<double>& f) {
+    std::array<double, 8> numbers{f.a, f.b, f.c, f.d, f.e, f.f, f.g, f.h};
+    double largest = 0;
+    for (const double x : numbers) largest = std::max(largest, std::abs(x));
+    if (largest == 0) return f;
+    const double scale = std::ldexp(1.0, std::clamp(-std::ilogb(largest), -1000, 1000));
+    for (double& x : numbers) {
+        const double scaled = x * scale;
+        if (scaled / scale != x) return std::nullopt;
+        x = scaled;
+    }
+    const auto& [a, b, c, d, e, g, h, k] = numbers;
+    return ProductDifference<double>{a, b, c, d, e, g, h, k};
+}
+
+bool is_moderate(const ProductDifference<double>& f) {
+    constexpr double limit = 0x1p500;
+    return std::abs(f.a) <= limit && std::abs(f.b) <= limit && std::abs(f.c) <= limit &&
+           std::abs(f.d) <= limit && std::abs(f.e) <= limit && std::abs(f.f) <= limit &&
+           std::abs(f.g) <= limit && std::abs(f.h) <= limit;
+}
+
 // Exact sign by floating-point expansions; empty when something could overflow or underflow.
 std::optional<Sign> expansion_sign(const ProductDifference<double>& f) {
-    for (const double x : {f.a, f.b, f.c, f.d, f.e, f.f, f.g, f.h}) {
-        if (!(std::abs(x) <= 0x1p500)) return std::nullopt;
-    }
+    if (!is_moderate(f)) return std::nullopt;
     const Pair x1 = two_difference(f.a, f.b);
     const Pair y1 = two_difference(f.c, f.d);
     const Pair x2 = two_difference(f.e, f.f);
@@ -155,6 +177,9 @@ Sign integer_sign(const ProductDifference<double>& f) {
 
 [[gnu::noinline]] Sign exact_sign(const ProductDifference<double>& f) {
     if (const auto sign = expansion_sign(f)) return *sign;
+    if (const auto near_one = normalised(f)) {
+        if (const auto sign = expansion_sign(*near_one)) return *sign;
+    }
     return integer_sign(f);
 }
 
