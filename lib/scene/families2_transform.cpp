@@ -74,7 +74,7 @@ double nudged(Rng& rng, double x, unsigned per_mille) {
 
 /// The scene with `move` applied to each point in input order; nullopt from `move`: can't be exact.
 template <typename Move>
-Result<SceneInput2> moved(const SceneInput2& scene, const Transform& transform, const Move& move) {
+Result<SceneInput2> moved(const SceneInput2& scene, const Transform& transform, Move move) {
     SceneInput2 result = scene;
     std::optional<Errc> failure;
     const auto apply = [&](Point2& p) {
@@ -105,7 +105,7 @@ Result<SceneInput2> moved(const SceneInput2& scene, const Transform& transform, 
                                                 : ": a coordinate overflows; use smaller ones"));
 }
 
-bool has_finite_parameters(const Transform& transform) {
+bool has_usable_parameters(const Transform& transform) {
     return std::visit(
         Overloaded{
             [](const Translation& t) { return std::isfinite(t.dx) && std::isfinite(t.dy); },
@@ -116,10 +116,42 @@ bool has_finite_parameters(const Transform& transform) {
         transform);
 }
 
-MovedPoint rotated_exactly(const IntegerRotation& t, const Point2& p) {
+// What each transform does to one point, called in input order.
+
+auto move_of(const Translation& t) {
+    return [t](const Point2& p) { return both(exact_sum(p.x, t.dx), exact_sum(p.y, t.dy)); };
+}
+auto move_of(const PowerOfTwo& t) {
+    return [t](const Point2& p) {
+        return both(exact_scaled(p.x, t.exponent), exact_scaled(p.y, t.exponent));
+    };
+}
+auto move_of(const IntegerRotation& t) {
     const auto a = static_cast<double>(t.a);
     const auto b = static_cast<double>(t.b);
-    return both(exact_dot(a, p.x, -b, p.y), exact_dot(b, p.x, a, p.y));
+    return [a, b](const Point2& p) {
+        return both(exact_dot(a, p.x, -b, p.y), exact_dot(b, p.x, a, p.y));
+    };
+}
+auto move_of(const Mirror&) {
+    return [](const Point2& p) { return MovedPoint({0.0 - p.x, p.y}); };
+}
+auto move_of(const ApproxTranslation& t) {
+    return [t](const Point2& p) { return MovedPoint({p.x + t.dx, p.y + t.dy}); };
+}
+auto move_of(const ApproxScaling& t) {
+    return [t](const Point2& p) { return MovedPoint({p.x * t.factor, p.y * t.factor}); };
+}
+auto move_of(const ApproxRotation& t) {
+    return [v = approx_cos_sin(t.degrees)](const Point2& p) {
+        return MovedPoint({p.x * v.cosine - p.y * v.sine, p.x * v.sine + p.y * v.cosine});
+    };
+}
+auto move_of(const Nudge& t) {
+    return [t, rng = Rng(t.seed)](const Point2& p) mutable {
+        const double x = nudged(rng, p.x, t.per_mille);
+        return MovedPoint({x, nudged(rng, p.y, t.per_mille)});
+    };
 }
 
 }  // namespace
@@ -158,53 +190,16 @@ std::string to_string(const Transform& transform) {
 }
 
 Result<SceneInput2> transformed(const SceneInput2& scene, const Transform& transform) {
-    if (!has_finite_parameters(transform)) {
-        return fail(Errc::bad_parameter, to_string(transform) + ": give finite numbers");
+    if (!has_usable_parameters(transform)) {
+        return fail(Errc::bad_parameter,
+                    to_string(transform) +
+                        ": give finite numbers, and integers that doubles hold, not all 0");
     }
-    const auto apply = [&](const auto& move) { return moved(scene, transform, move); };
     return std::visit(
-        Overloaded{
-            [&](const Translation& t) {
-                return apply([&](const Point2& p) {
-                    return both(exact_sum(p.x, t.dx), exact_sum(p.y, t.dy));
-                });
-            },
-            [&](const PowerOfTwo& t) {
-                return apply([&](const Point2& p) {
-                    return both(exact_scaled(p.x, t.exponent), exact_scaled(p.y, t.exponent));
-                });
-            },
-            [&](const IntegerRotation& t) {
-                return apply([&](const Point2& p) { return rotated_exactly(t, p); });
-            },
-            [&](const Mirror&) {
-                return apply([](const Point2& p) { return MovedPoint({0.0 - p.x, p.y}); });
-            },
-            [&](const Permutation& t) {
-                return Result<SceneInput2>(permuted(scene, t.seed).scene);
-            },
-            [&](const ApproxTranslation& t) {
-                return apply([&](const Point2& p) { return MovedPoint({p.x + t.dx, p.y + t.dy}); });
-            },
-            [&](const ApproxScaling& t) {
-                return apply([&](const Point2& p) {
-                    return MovedPoint({p.x * t.factor, p.y * t.factor});
-                });
-            },
-            [&](const ApproxRotation& t) {
-                const CosSin v = approx_cos_sin(t.degrees);
-                return apply([v](const Point2& p) {
-                    return MovedPoint(
-                        {p.x * v.cosine - p.y * v.sine, p.x * v.sine + p.y * v.cosine});
-                });
-            },
-            [&](const Nudge& t) {
-                Rng rng(t.seed);
-                return apply([&](const Point2& p) {
-                    const double x = nudged(rng, p.x, t.per_mille);
-                    return MovedPoint({x, nudged(rng, p.y, t.per_mille)});
-                });
-            }},
+        Overloaded{[&](const Permutation& t) -> Result<SceneInput2> {
+                       return permuted(scene, t.seed).scene;
+                   },
+                   [&](const auto& t) { return moved(scene, transform, move_of(t)); }},
         transform);
 }
 

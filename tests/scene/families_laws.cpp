@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string>
@@ -154,6 +155,26 @@ TEST_P(EveryFamily, GivesThePinnedBytesForSeed42) {
 TEST(FamilyRegistry, IsSortedByName) {
     EXPECT_TRUE(std::is_sorted(families::all2().begin(), families::all2().end(),
                                [](const auto& a, const auto& b) { return a.name < b.name; }));
+}
+
+TEST(FamilyRegistry, IsWhatTheDocumentationLists) {
+    std::ifstream page(SIGHTLINE_TESTS_DIR "/../docs/structures/families.md");
+    std::vector<std::string> rows;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("| `")) {
+            rows.push_back(
+                line.substr(0, line.find('|', line.find(" | ", line.find(" | ") + 3) + 3)));
+        }
+    }
+    std::vector<std::string> expected;
+    for (const families::FamilyInfo& family : families::all2()) {
+        std::string row = "| `" + std::string(family.name) + "` |";
+        for (const families::FamilyParameter& p : family.parameters)
+            row += " " + std::string(p.name);
+        expected.push_back(row + " | " + (family.degenerate ? "yes " : "no "));
+    }
+    rows.resize(std::min(rows.size(), expected.size()));  // the table of transforms follows
+    EXPECT_EQ(rows, expected);
 }
 
 TEST(FamilyRegistry, GeneratesByNameWithDefaultsOrParameters) {

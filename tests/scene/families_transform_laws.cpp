@@ -98,6 +98,8 @@ TEST(ExactTransforms, RefuseToRound) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(code(families::ApproxRotation{nan}), Errc::bad_parameter);
     EXPECT_EQ(code(families::Translation{nan, 0}), Errc::bad_parameter);
+    EXPECT_EQ(code(families::IntegerRotation{0, 0}), Errc::bad_parameter);
+    EXPECT_EQ(code(families::IntegerRotation{1, INT64_MIN}), Errc::bad_parameter);
     EXPECT_THAT(transformed(scene, families::Translation{1, 0}).error().message,
                 HasSubstr("approx_"));
     EXPECT_TRUE(transformed(scene, families::ApproxTranslation{1, 0}));

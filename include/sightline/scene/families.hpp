@@ -224,7 +224,8 @@ struct FamilyInfo {
     std::string_view name;
     std::string_view description;  ///< one line
     std::span<const FamilyParameter> parameters;
-    bool degenerate = false;  ///< collinear, touching or coincident features by construction
+    bool degenerate =
+        false;  ///< collinear, touching or coincident features by construction, or nearly so
     SceneInput2 (*generate)(std::span<const std::uint64_t> parameters,
                             std::uint64_t seed) = nullptr;
 };

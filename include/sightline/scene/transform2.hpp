@@ -69,7 +69,8 @@ using Transform = std::variant<Translation, PowerOfTwo, IntegerRotation, Mirror,
 
 /// The scene after the transform. The same bytes on every platform. O(n).
 /// Fails with coordinate_too_large when a coordinate overflows, and with bad_parameter when an exact transform
-/// can't keep a coordinate exact (its approx_ counterpart rounds), or a parameter is not finite.
+/// can't keep a coordinate exact (its approx_ counterpart rounds), or a parameter is not finite (for IntegerRotation: both are 0, or one
+/// exceeds 2^53).
 [[nodiscard]] Result<SceneInput2> transformed(const SceneInput2& scene, const Transform& transform);
 
 /// A permuted scene, and for each of its vertices (numbered in input order, as Scene2 does) the number that the
