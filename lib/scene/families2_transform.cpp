@@ -110,6 +110,11 @@ bool has_usable_parameters(const Transform& transform) {
         Overloaded{
             [](const Translation& t) { return std::isfinite(t.dx) && std::isfinite(t.dy); },
             [](const ApproxTranslation& t) { return std::isfinite(t.dx) && std::isfinite(t.dy); },
+            [](const IntegerRotation& t) {
+                constexpr std::int64_t most = std::int64_t{1} << 53;
+                return (t.a != 0 || t.b != 0) && std::min(t.a, t.b) >= -most &&
+                       std::max(t.a, t.b) <= most;
+            },
             [](const ApproxScaling& t) { return std::isfinite(t.factor); },
             [](const ApproxRotation& t) { return std::isfinite(t.degrees); },
             [](const auto&) { return true; }},
