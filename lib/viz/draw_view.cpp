@@ -133,7 +133,7 @@ void add_view(DrawList& list, const RationalPoint2& from, std::span<const ViewPo
         {.name = "viewpoint",
          .legend = "viewpoint",
          .order = PaintOrder::marks,
-         .style = {.colour = {130, 40, 110}, .width = 0, .marker = Marker::disc, .marker_size = 10},
+         .style = {.colour = Palette::black, .width = 0, .marker = Marker::disc, .marker_size = 9},
          .points = {eye}});
 }
 

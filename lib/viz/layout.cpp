@@ -108,8 +108,8 @@ double round_length(double limit) {
     return power;
 }
 
-void place_scale_bar(Layout& layout, double font_size) {
-    const double shown = layout.view.high.x / 2 - layout.view.low.x / 2;
+void place_scale_bar(Layout& layout, double font_size, double magnification) {
+    const double shown = (layout.view.high.x / 2 - layout.view.low.x / 2) / magnification;
     if (!(shown > 0) || !std::isnormal(shown / 4)) return;
     const double length = round_length(shown / 2.5);
     const double pixels = length / 2 / shown * layout.data.width;
@@ -233,7 +233,7 @@ Layout make_layout(const DrawList& list, const LayoutOptions& options) {
             {list.title, {pad, pad + font_size}, font_size * 1.25, true, {20, 20, 20}, {}});
     }
     place_column(column, {layout.data.x + layout.data.width + pad, layout.data.y}, layout);
-    if (list.scale_bar) place_scale_bar(layout, font_size);
+    if (list.scale_bar) place_scale_bar(layout, font_size, options.magnification);
     place_labels(list, font_size, layout);
     return layout;
 }

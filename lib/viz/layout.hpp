@@ -65,6 +65,7 @@ struct LayoutOptions {
     double height = 0;  ///< 0: what the drawing's shape asks for
     double font_size = 14;
     bool legend = true;
+    double magnification = 1;          ///< of the drawing in a window, for the scale bar
     std::vector<std::string> notes{};  ///< of the writer, after those of the list
 };
 

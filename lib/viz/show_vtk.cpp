@@ -28,6 +28,7 @@ public:
 
         vtkRenderer* drawing = nullptr;
     std::function<void()> reset;
+    std::function<void()> zoomed;
 
     void OnLeftButtonDown() override { StartPan(); }
     void OnLeftButtonUp() override { EndPan(); }
@@ -92,6 +93,7 @@ private:
         move_by((at[0] - origin[0] - size[0] / 2.0) * moved,
                 (at[1] - origin[1] - size[1] / 2.0) * moved);
         camera->SetParallelScale(scale);
+        zoomed();
         Interactor->Render();
     }
 };
@@ -106,9 +108,10 @@ void observe(vtkObject* object, unsigned long event, Action& action) {
     object->AddObserver(event, command);
 }
 
-Layout layout_for(const DrawList& list, int width, int height) {
+Layout layout_for(const DrawList& list, int width, int height, double magnification) {
     return make_layout(list, {.width = static_cast<double>(std::max(width, 200)),
-                              .height = static_cast<double>(std::max(height, 200))});
+                              .height = static_cast<double>(std::max(height, 200)),
+                              .magnification = magnification});
 }
 
 }  // namespace
@@ -117,14 +120,20 @@ struct Window::Parts {
     Parts(const DrawList& shown, const ShowOptions& options)
         : list(shown),
           page(shown,
-               layout_for(shown, static_cast<int>(options.width), static_cast<int>(options.height)),
+               layout_for(shown, static_cast<int>(options.width), static_cast<int>(options.height),
+                          1),
                1, true),
           first_scale(camera()->GetParallelScale()) {}
 
     [[nodiscard]] vtkCamera* camera() const { return page.drawing()->GetActiveCamera(); }
-    void fit_to_size() {
+    void arrange() {
         const int* size = window->GetSize();
-        page.rearrange(layout_for(list, size[0], size[1]));
+        page.rearrange(
+            layout_for(list, size[0], size[1], first_scale / camera()->GetParallelScale()));
+    }
+    void reset() {
+        page.reset_camera();
+        arrange();
     }
 
     const DrawList& list;
@@ -149,7 +158,8 @@ Window::Window(const DrawList& list, const ShowOptions& options, void* display)
     vtkNew<PlaneStyle> style;
     style->drawing = parts_->page.drawing();
     style->SetDefaultRenderer(style->drawing);
-    style->reset = [this] { parts_->page.reset_camera(); };
+    style->reset = [this] { parts_->reset(); };
+    style->zoomed = [this] { parts_->arrange(); };
     parts_->interactor->SetInteractorStyle(style);
 }
 
@@ -162,9 +172,10 @@ const VtkPage& Window::page() const { return parts_->page; }
 void Window::run(const std::function<void()>& each_turn) {
     Parts& parts = *parts_;
     std::function<void()> closing = [&] { parts.closed = true; };
-    std::function<void()> resizing = [&] { parts.fit_to_size(); };
+    std::function<void()> resizing = [&] { parts.arrange(); };
     std::function<void()> drawing = [&] {
-        parts.page.magnify(parts.first_scale / parts.camera()->GetParallelScale());
+        const double shown = 2 * parts.camera()->GetParallelScale();
+        parts.page.magnify(parts.page.layout().data.height / shown);
     };
     observe(parts.interactor, vtkCommand::ExitEvent, closing);
     observe(parts.interactor, vtkCommand::ConfigureEvent, resizing);

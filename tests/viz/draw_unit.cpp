@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "support/scenes.hpp"
 
 namespace sightline::viz {
@@ -207,6 +209,30 @@ TEST(DrawView, NeedlesAndViewpointHaveLayersOfTheirOwn) {
     EXPECT_THAT(list.find("needles")->segments, ElementsAre(Position{1, 0}, Position{10, 0}));
     EXPECT_THAT(list.find("viewpoint")->points, ElementsAre(Position{0, 0}));
     EXPECT_LT(list.find("view")->style.fill_opacity, 1) << "bodies shine through";
+}
+
+TEST(DrawView, VisibilityPolygonOfASceneIsDrawnToTheEdgeOfThePicture) {
+    // A triangle hides what is behind it from the origin; the rest of the plane is seen.
+    const Scene2 scene = scene2("polygon 2 -1, 3 0, 2 1");
+    const auto polygon = visibility_polygon(scene, {0, 0});
+    ASSERT_TRUE(polygon) << polygon.error().message;
+    const DrawList list = draw(scene, *polygon, {.view = wide_view()});
+    EXPECT_THAT(names(list), ElementsAre("bodies", "view", "view boundary", "viewpoint"));
+    const auto& ring = list.find("view")->polygons.at(0).outer;
+    EXPECT_THAT(ring,
+                ::testing::IsSupersetOf({Position{2, -1}, Position{2, 1}, Position{10, 5},
+                                         Position{10, 10}, Position{-10, 10}, Position{-10, -10},
+                                         Position{10, -10}, Position{10, -5}}));
+    for (const Position& p : ring) {
+        EXPECT_FALSE(p.x > 2 && std::abs(p.y) * 2 < p.x) << "in the shadow";
+    }
+}
+
+TEST(DrawView, PictureContainsTheViewpoint) {
+    const Scene2 scene = scene2("polygon 2 -1, 3 0, 2 1");
+    const auto polygon = visibility_polygon(scene, {-50, 0});
+    ASSERT_TRUE(polygon);
+    EXPECT_LT(draw(scene, *polygon).view.low.x, -50);
 }
 
 TEST(DrawAll, SceneGraphViewAndPathStackInReadingOrder) {

@@ -91,6 +91,21 @@ TEST_F(Show, WheelZoomsRoundTheMouseAndRShowsEverythingAgain) {
     EXPECT_EQ(again, before);
 }
 
+TEST_F(Show, ScaleBarFollowsTheZoom) {
+    std::string before;
+    std::string after;
+    const auto text = [&] { return window_->page().layout().texts.back().text; };
+    int turns = 0;
+    window_->run([&] {
+        if (++turns > 1) return press('q');
+        before = text();
+        for (int i = 0; i < 13; ++i) mouse(200, 200, vtkCommand::MouseWheelForwardEvent);
+        after = text();
+    });
+    EXPECT_EQ(before, "2");
+    EXPECT_EQ(after, "0.1") << "1.2 to the 13th is a little more than 10";
+}
+
 TEST_F(Show, DraggingMovesTheDrawingWithTheMouse) {
     std::array<double, 3> before{};
     std::array<double, 3> after{};
