@@ -35,10 +35,10 @@ if [ "$(id -u)" -ne 0 ]; then
     fi
 fi
 
-apt() { $as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300 "$@"; }
+apt() { $as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 "$@" >/dev/null; }
 install() { apt install -y --no-install-recommends $missing; }
 
-echo "sightline: installing$missing"
+echo "sightline: installing, which may take minutes:$missing"
 # The lists of a bare machine are empty or old: refreshed when a package is unknown, or its version is gone.
 known=yes
 for package in $missing; do
