@@ -42,6 +42,17 @@ public:
     [[nodiscard]] double bound(const Viewpoint& from) const;
     /// Positive when p lies left of the ray. Called when the first filter has not decided.
     [[nodiscard]] Sign side(const Viewpoint& from, const Limit& limit, Place p);
+    /// The same, first filter included.
+    [[nodiscard]] Sign certain_side(const Viewpoint& from, const Limit& limit, Place p) {
+        const Point2& q = t_.position(p);
+        const double det =
+            limit.x * (q.y - from.position.y) - limit.y * (q.x - from.position.x);
+        ++calls_;
+        const double bound = this->bound(from);
+        if (det > bound) return Sign::positive;
+        if (det < -bound) return Sign::negative;
+        return side(from, limit, p);
+    }
     /// Counts determinants that were evaluated, decided by the first filter or not.
     void count(std::uint64_t calls) noexcept { calls_ += calls; }
     void add_to(Tally& tally) const noexcept;

@@ -16,6 +16,7 @@ struct HalfRows {
 };
 
 /// The graph on vertices from all half rows (ascending by `first`): symmetric, each row ascending.
-[[nodiscard]] VisibilityGraph assemble(const Triangulation& t, std::vector<HalfRows> rows);
+[[nodiscard]] VisibilityGraph assemble(const Triangulation& t, std::vector<HalfRows> rows,
+                                       unsigned threads);
 
 }  // namespace sightline::detail

@@ -5,10 +5,11 @@
 
 namespace sightline::detail {
 
-GraphRows::GraphRows(const Triangulation& t, const Crossings& crossings,
+GraphRows::GraphRows(const Triangulation& t, const Crossings& crossings, const Corners* corners,
                      const VisibilityGraphOptions& options)
     : t_(t),
       crossings_(crossings),
+      corners_(corners),
       signs_(t, options.arithmetic),
       expansion_(crossings, signs_, *this),
       every_(options.collinear == Collinear::every_vertex),
@@ -17,16 +18,23 @@ GraphRows::GraphRows(const Triangulation& t, const Crossings& crossings,
       seen_(t.place_count(), no_index) {}
 
 void GraphRows::append(Place v, std::vector<Place>& out) {
+    if (corners_ != nullptr) corner_ = (*corners_)[v];
+    if (corner_.kind == Corner::Kind::reflex) return;
     v_ = v;
     from_ = {t_.position(v), v};
     out_ = &out;
     expansion_.look_from(from_);
     const HalfEdge start = t_.leaving(v);
     HalfEdge h = start;
+    const std::size_t before = out.size();
     do {
         begin(h);
         h = t_.rotate_ccw(h);
     } while (h != start);
+    if (corner_.kind != Corner::Kind::general) return;
+    // No wedge of tangent directions was known beforehand.
+    const auto crosses = [&](Place w) { return !corners_->is_tangent({t_.position(w), w}, v, signs_); };
+    out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(), crosses), out.end());
 }
 
 bool GraphRows::is_after(Place p) const {
@@ -35,75 +43,113 @@ bool GraphRows::is_after(Place p) const {
     return from_.position.x < q.x || (from_.position.x == q.x && from_.position.y < q.y);
 }
 
-bool GraphRows::is_straight_above(Place p) const {
-    if (p < t_.first_constructed() && v_ < t_.first_constructed())
-        return t_.position(p).x == from_.position.x;
-    return t_.exact_position(p).x == t_.exact_position(v_).x;
-}
-
-Limit GraphRows::towards(Place p) const {
+GraphRows::Bound GraphRows::towards(Place p) const {
     const Point2& q = t_.position(p);
-    return {q.x - from_.position.x,
-            q.y - from_.position.y,
-            p,
-            Limit::Kind::towards,
-            true,
+    Bound b{{q.x - from_.position.x, q.y - from_.position.y, p, Limit::Kind::towards, true, false, false},
+            is_after(p),
             false,
             false};
+    const bool vertical = p < t_.first_constructed() ? q.x == from_.position.x
+                                                     : t_.exact_position(p).x == t_.exact_position(v_).x;
+    b.above = vertical && b.after;
+    b.below = vertical && !b.after;
+    return b;
 }
 
-// The triangle (v, p, q) of h: the edge to p, then the cone between p and q, as far as they lie in the
-// half-plane of greater places. The ray straight down belongs to the other half-plane.
+GraphRows::Bound GraphRows::away_from(Place p) const {
+    const Bound b = towards(p);
+    return {{-b.limit.x, -b.limit.y, p, Limit::Kind::away_from, false, false, false}, !b.after, b.below, b.above};
+}
+
+// The triangle (v, p, q) of h: the edge to p, then the cone between p and q.
 void GraphRows::begin(HalfEdge h) {
     const Place p = t_.target(h);
-    const Place q = t_.apex(h);
-    const bool p_after = is_after(p);
-    if (p_after) look_along(h, p);
-    if (!t_.is_free(h)) return;
-    const bool q_after = is_after(q);
-    if (!p_after && !q_after) return;
+    const Bound right = towards(p);
+    if (right.after) look_along(h, p, right.above);
+    if (!t_.is_free(h) || corner_.kind == Corner::Kind::flat) return;
     const std::uint32_t crossing = Crossings::beyond(t_, next(h));
-    const bool q_above = q_after && is_straight_above(q);
-    if (crossing == no_index) {
-        if (q_above && every_) follow_beyond(q);
-        return;
-    }
-    Cone cone{crossing, towards(q), towards(p)};
-    if (!q_after) {
-        const Limit up{0, span_, no_index, Limit::Kind::up, false, true, false};
-        if (is_straight_above(p)) return;
-        cone.left = up;
-    } else if (!p_after) {
-        const Limit down{0, -span_, no_index, Limit::Kind::down, false, false, true};
-        cone.right = down;
-        cone.right.touches = is_straight_above(p);  // here: below
-    }
-    cone.left.armed |= q_above;
-    expansion_.expand(cone);
+    if (corner_.kind == Corner::Kind::convex)
+        begin_tangent(h, crossing);
+    else
+        begin_cone(crossing, right, towards(t_.apex(h)));
 }
 
-void GraphRows::look_along(HalfEdge h, Place p) {
-    const HalfEdge g = t_.twin(h);
+// Directions between the extensions of the corner's edges cross the body behind v: left out.
+void GraphRows::begin_tangent(HalfEdge h, std::uint32_t crossing) {
+    const Wedge at_right = wedge_of(t_.target(h));
+    const Wedge at_left = wedge_of(t_.apex(h));
+    const Bound right = towards(t_.target(h));
+    const Bound left = towards(t_.apex(h));
+    if (at_right == at_left) {
+        if (at_right != Wedge::crossing) begin_cone(crossing, right, left);
+        return;
+    }
+    const auto extends = [&](Place edge, Place p) {
+        return p != edge && signs_.certain_side(from_, towards(edge).limit, p) == Sign::zero;
+    };
+    if (at_right == Wedge::tangent_first) {
+        if (extends(corner_.first, right.limit.place))
+            follow_after(right);
+        else
+            begin_cone(crossing, right, away_from(corner_.first));
+    }
+    if (at_left == Wedge::tangent_last) {
+        if (extends(corner_.last, left.limit.place))
+            follow_after(left);
+        else
+            begin_cone(crossing, away_from(corner_.last), left);
+    }
+}
+
+GraphRows::Wedge GraphRows::wedge_of(Place p) {
+    if (p == corner_.first) return Wedge::tangent_last;
+    if (p == corner_.last) return Wedge::tangent_first;
+    const Sign of_first = signs_.certain_side(from_, towards(corner_.first).limit, p);
+    const Sign of_last = signs_.certain_side(from_, towards(corner_.last).limit, p);
+    if (of_first != Sign::negative && of_last != Sign::negative) return Wedge::tangent_first;
+    if (of_first != Sign::positive && of_last != Sign::positive) return Wedge::tangent_last;
+    return Wedge::crossing;
+}
+
+// A cone as far as it lies in the half-plane of greater places. The ray straight down belongs to the
+// other half-plane, the ray straight up to this one.
+void GraphRows::begin_cone(std::uint32_t crossing, Bound right, Bound left) {
+    if ((!left.after && !right.after) || right.above) return;
+    if (crossing == no_index) {
+        if (left.above && left.limit.kind == Limit::Kind::towards) follow_after(left);
+        return;
+    }
+    if (!left.after) {
+        left.limit = {0, span_, no_index, Limit::Kind::up, false, true, false};
+    } else if (!right.after) {
+        right.limit = {0, -span_, no_index, Limit::Kind::down, right.below && right.limit.touches, false, true};
+    }
+    left.limit.armed |= left.above;
+    expansion_.expand({crossing, left.limit, right.limit});
+}
+
+void GraphRows::look_along(HalfEdge h, Place p, bool above) {
     const bool left_free = t_.is_free(h);
-    const bool right_free = t_.is_free(g);
+    const bool right_free = t_.is_free(t_.twin(h));
     if (!left_free && !right_free) return;
-    const bool on_boundary = t_.is_constrained(h) && left_free != right_free;
+    const bool on_boundary = left_free != right_free;
+    const bool reach = corner_.kind == Corner::Kind::open || corner_.kind == Corner::Kind::general ||
+                       p == corner_.first || p == corner_.last ||
+                       (corner_.kind == Corner::Kind::convex && wedge_of(p) != Wedge::crossing);
+    if (!reach) return;
     if (on_boundary && !body_edges_)
         exclude_boundary(h);
     else if (t_.is_scene_place(p))
-        out_->push_back(p);
-    // The cone on the left of the ray straight up belongs to the other half-plane.
-    if (every_ ? t_.is_pinch(p) || t_.is_wall(h) || (!right_free && is_straight_above(p))
-               : !t_.is_scene_place(p))
-        follow_beyond(p);
+        report(p);
+    // The cone on the left of the ray straight up belongs to the other half-plane; a flat corner has none.
+    const bool alone = (above && !right_free) || corner_.kind == Corner::Kind::flat;
+    if (every_ ? t_.is_pinch(p) || t_.is_wall(h) || alone : !t_.is_scene_place(p)) follow_beyond(p);
 }
 
 // Marks what lies on the boundary from h on, straight, as reported: body_edges = false.
 void GraphRows::exclude_boundary(HalfEdge h) {
-    const Place first = t_.target(h);
-    RayWalk walk(t_, v_, first);
-    for (Place p = walk.next_place(); p != no_index && walk.ran_along_boundary();
-         p = walk.next_place())
+    RayWalk walk(t_, v_, t_.target(h));
+    for (Place p = walk.next_place(); p != no_index && walk.ran_along_boundary(); p = walk.next_place())
         seen_[p] = v_;
 }
 
@@ -129,7 +175,7 @@ void GraphRows::follow_beyond(Place w) {
 void GraphRows::report_once(Place p) {
     if (seen_[p] == v_) return;
     seen_[p] = v_;
-    out_->push_back(p);
+    report(p);
 }
 
 }  // namespace sightline::detail

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "planar/corners.hpp"
 #include "planar/expansion.hpp"
 #include "planar/ray_walk.hpp"
 #include "sightline/planar/visibility_graph.hpp"
@@ -15,8 +16,11 @@ class GraphRows {
 public:
     static constexpr bool wants_blocked = false;
 
-    GraphRows(const Triangulation& t, const Crossings& crossings,
+    /// `corners` are needed for the tangent graph only; otherwise null.
+    GraphRows(const Triangulation& t, const Crossings& crossings, const Corners* corners,
               const VisibilityGraphOptions& options);
+    GraphRows(const GraphRows&) = delete;  // the expansion refers to its visitor
+    GraphRows& operator=(const GraphRows&) = delete;
 
     /// Appends the half row of v to out, in no particular order, without repeats.
     void append(Place v, std::vector<Place>& out);
@@ -24,7 +28,7 @@ public:
 
     // As the visitor of the expansion:
     void vertex(const Crossing& c) {
-        if ((c.flags & is_vertex_flag) != 0) out_->push_back(c.apex);
+        if ((c.flags & is_vertex_flag) != 0) report(c.apex);
         if ((c.flags & is_pinch_flag) != 0 && every_) follow_beyond(c.apex);
     }
     void on_limit(const Crossing& c, Limit& limit);
@@ -33,17 +37,37 @@ public:
     }
 
 private:
+    /// A direction from the viewpoint that bounds a cone, and on which side of the half-plane it lies.
+    struct Bound {
+        Limit limit;
+        bool after;  ///< in the half-plane of greater places
+        bool above;  ///< straight up
+        bool below;  ///< straight down
+    };
+    /// Where a direction lies round a convex corner, counter-clockwise from the body's last edge.
+    enum class Wedge : std::uint8_t { tangent_first, crossing, tangent_last };
+
     void begin(HalfEdge h);
-    void look_along(HalfEdge h, Place p);
+    void begin_tangent(HalfEdge h, std::uint32_t crossing);
+    void begin_cone(std::uint32_t crossing, Bound right, Bound left);
+    void look_along(HalfEdge h, Place p, bool above);
+    [[nodiscard]] Wedge wedge_of(Place p);
     [[nodiscard]] bool is_after(Place p) const;
-    [[nodiscard]] bool is_straight_above(Place p) const;
+    [[nodiscard]] Bound towards(Place p) const;
+    [[nodiscard]] Bound away_from(Place p) const;
     void follow_beyond(Place w);
+    void follow_after(const Bound& b) {
+        if (every_ && b.after) follow_beyond(b.limit.place);
+    }
+    void report(Place p) {
+        if (corners_ == nullptr || corners_->is_tangent(from_, p, signs_)) out_->push_back(p);
+    }
     void report_once(Place p);
-    [[nodiscard]] Limit towards(Place p) const;
     void exclude_boundary(HalfEdge h);
 
     const Triangulation& t_;
     const Crossings& crossings_;
+    const Corners* corners_;
     ConeSigns signs_;
     Expansion<GraphRows> expansion_;
     bool every_;
@@ -51,6 +75,7 @@ private:
     double span_;
     Place v_ = no_index;
     Viewpoint from_;
+    Corner corner_;  // of v, when the tangent graph is asked for
     std::vector<Place>* out_ = nullptr;
     std::vector<Place> seen_;  // the viewpoint that last reported a place on a boundary ray
 };

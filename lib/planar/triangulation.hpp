@@ -56,6 +56,7 @@ public:
     [[nodiscard]] const Point2& position(Place p) const noexcept { return position_[p]; }
     [[nodiscard]] RationalPoint2 exact_position(Place p) const;
     [[nodiscard]] Place place_of(VertexId v) const noexcept { return place_of_[v.index()]; }
+    [[nodiscard]] std::size_t vertex_count() const noexcept { return place_of_.size(); }
     /// The scene vertices at a scene place, ascending.
     [[nodiscard]] std::span<const VertexId> vertices_at(Place p) const noexcept {
         const std::size_t i = p - frame_places;
