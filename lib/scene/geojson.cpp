@@ -180,16 +180,11 @@ public:
             return refuse(Errc::coordinate_too_large,
                           "the number is beyond the doubles; give one below 2^1020 in size");
         }
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: what - why": the why
-        // is ours.
-        std::string what = problem.what();
-        if (const std::size_t colon = what.find(": "); colon != std::string::npos)
-            what.erase(0, colon + 2);
-        for (char& c : what) {
-            if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f)
-                c = '?';
-        }
-        return refuse(Errc::syntax, "not JSON: " + what.substr(0, 200) + "; mend the text there");
+        const bool ends = std::string_view(problem.what()).find("unexpected end of input") !=
+                          std::string_view::npos;
+        return refuse(Errc::syntax,
+                      ends ? "not JSON: the text ends too early; complete it"
+                           : "not JSON: a bracket, comma, text or number is wrong here; mend it");
     }
 
     bool refuse(Errc code, std::string_view what) {

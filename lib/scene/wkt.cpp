@@ -79,7 +79,8 @@ private:
         cursor_.skip_space();
         if (depth == 0) skip_srid();
         line_ = cursor_.line();
-        const std::string name = upper(cursor_.word());
+        const std::string_view word = cursor_.word();
+        const std::string name = upper(word);
         const Kind kind = kind_of(name);
         if (kind == Kind::unknown) {
             return cursor_.refuse(
@@ -87,7 +88,7 @@ private:
                 name.empty()
                     ? "expected a geometry such as POLYGON, " + cursor_.found()
                     : fmt::format("'{}' is no geometry; write POLYGON, LINESTRING or POINT",
-                                  name.substr(0, 40)));
+                                  word.substr(0, 40)));
         }
         if (kind == Kind::unsupported) {
             return cursor_.refuse(Errc::unsupported,
