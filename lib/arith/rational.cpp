@@ -45,7 +45,8 @@ std::uint64_t mix(std::uint64_t h, mpz_srcptr z) {
 // The double nearest to (quotient + sticky·ε)·2^-shift, ties to even, for 2^62 <= quotient < 2^64.
 double round_to_double(std::uint64_t quotient, bool sticky, long shift) {
     constexpr long lowest_exponent = -1074;
-    const long top = std::bit_width(quotient) - 1 - shift;  // exponent of the leading bit
+    const long top =
+        static_cast<long>(std::bit_width(quotient)) - 1 - shift;  // exponent of the leading bit
     const long unit = std::max(top - 52, lowest_exponent);  // exponent of the result's last bit
     const long dropped = unit + shift;                      // bits of the quotient below it, >= 10
     if (dropped > 64) return 0;

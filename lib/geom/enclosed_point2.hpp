@@ -68,7 +68,7 @@ template <typename Number>
             Number(1.0)};
 }
 
-[[nodiscard]] inline const Point2& base_of(const EnclosedPoint2& p) { return p.base; }
+[[nodiscard]] inline Point2 base_of(const EnclosedPoint2& p) { return p.base; }
 
 /// Whether two points are at the same place.
 [[nodiscard]] inline bool is_at(const Point2& p, const Point2& q) { return p == q; }

@@ -71,13 +71,13 @@ template <typename Number>
 }
 
 /// The point at which differences are taken: a generator, so that some of them vanish.
-[[nodiscard]] inline const Point2& base_of(const Point2& p) { return p; }
-[[nodiscard]] inline const Point2& base_of(const ImplicitPoint2& p) { return p.first().source; }
+[[nodiscard]] inline Point2 base_of(const Point2& p) { return p; }
+[[nodiscard]] inline Point2 base_of(const ImplicitPoint2& p) { return p.first().source; }
 
 /// (b - a) × (c - a), times the positive weights of the points, of which any may be implicit.
 template <typename Number, typename A, typename B, typename C>
 [[nodiscard]] Number homogeneous_orientation(const A& a, const B& b, const C& c) {
-    const Point2& base = base_of(a);
+    const Point2 base = base_of(a);
     const auto p = homogeneous<Number>(a, base);
     const auto q = homogeneous<Number>(b, base);
     const auto r = homogeneous<Number>(c, base);
@@ -88,7 +88,7 @@ template <typename Number, typename A, typename B, typename C>
 /// p - q as a vector, times the positive weights of p and q.
 template <typename Number, typename P, typename Q>
 [[nodiscard]] std::pair<Number, Number> homogeneous_difference(const P& p, const Q& q) {
-    const Point2& base = base_of(p);
+    const Point2 base = base_of(p);
     const auto a = homogeneous<Number>(p, base);
     const auto b = homogeneous<Number>(q, base);
     return {a.x * b.w - b.x * a.w, a.y * b.w - b.y * a.w};

@@ -104,8 +104,10 @@ TEST(Predicates2, PrintsItsAnswers) {
     std::ostringstream out;
     out << ConePosition::on_first << ' ' << SegmentCrossing::proper << ' ' << Sign::negative << ' '
         << CertifiedSign{Sign::zero, Tier::exact} << ' ' << Point2{0.1, -1e300} << ' '
-        << RationalPoint2{Rational(1) / Rational(3), 2};
-    EXPECT_EQ(out.str(), "on_first proper negative zero by exact (0.1, -1e+300) (1/3, 2)");
+        << RationalPoint2{Rational(1) / Rational(3), 2} << ' '
+        << reversed(Segment2{{0, 0}, {1, 2}});
+    EXPECT_EQ(out.str(),
+              "on_first proper negative zero by exact (0.1, -1e+300) (1/3, 2) (1, 2)--(0, 0)");
 }
 
 }  // namespace
