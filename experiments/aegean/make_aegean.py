@@ -315,9 +315,10 @@ def written(outer, islands):
         "source": f"Natural Earth 1:10m land, from the npm package {PACKAGE} {VERSION} (land-10m.json)",
         "licence": "public domain (Natural Earth)",
         "made_by": "experiments/aegean/make_aegean.py",
-        "coordinates": f"kilometres east and north of {CENTRE[0]} E {CENTRE[1]} N, "
-                       f"azimuthal equidistant, sphere of {EARTH_RADIUS_M} m",
+        "units": f"kilometres east and north of {CENTRE[0]} E {CENTRE[1]} N, "
+                 f"azimuthal equidistant, sphere of {EARTH_RADIUS_M} m",
         "meaning": "the outer ring is the free water, each hole an island: read with --world",
+        "world": True,
     }
     head = json.dumps(about, indent=1)[:-2]
     rings = ",\n".join(line(r) for r in [outer] + islands)

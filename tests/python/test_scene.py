@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes from lists and arrays, what they consist of, and what is wrong with bad ones."""
+
+import pickle
+
+import numpy as np
+import pytest
+import sightline
+
+SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
+INNER = [(1, 1), (3, 1), (3, 3), (1, 3)]
+
+
+def test_vertices_are_numbered_in_order_of_polygons_walls_points():
+    scene = sightline.Scene2([SQUARE], walls=[[(6, 0), (7, 1), (8, 0)]], points=[(9, 9)])
+    expected = SQUARE + [(6, 0), (7, 1), (8, 0), (9, 9)]
+    assert scene.vertices.tolist() == [list(map(float, p)) for p in expected]
+    assert scene.walls.tolist() == [[4, 5], [5, 6]]
+    assert scene.points.tolist() == [7]
+    assert (scene.vertex_count, scene.edge_count, scene.body_count) == (8, 6, 1)
+    assert not scene.has_world
+
+
+def test_lists_arrays_and_closed_rings_are_the_same_scene():
+    from_list = sightline.Scene2([SQUARE])
+    assert sightline.Scene2([np.array(SQUARE)]) == from_list
+    assert sightline.Scene2([np.array(SQUARE, dtype=np.float32)[:, :]]) == from_list
+    assert sightline.Scene2(np.array([SQUARE])) == from_list
+    assert sightline.Scene2([SQUARE + SQUARE[:1]]) == from_list
+    assert sightline.Scene2([sightline.Polygon2(SQUARE)]) == from_list
+    assert sightline.Scene2([INNER]) != from_list
+
+
+def test_edges_have_the_body_on_their_left_whatever_the_orientation_was():
+    for ring in (SQUARE, SQUARE[::-1]):
+        scene = sightline.Scene2([ring])
+        ends = scene.vertices[scene.edges]
+        area = np.sum(np.cross(ends[:, 0], ends[:, 1])) / 2
+        assert area == 16
+
+
+def test_a_hole_is_a_ring_of_its_body():
+    scene = sightline.Scene2([sightline.Polygon2(SQUARE, [INNER])])
+    assert [(r.body, r.is_hole) for r in scene.rings] == [(0, False), (0, True)]
+    assert sorted(scene.rings[1].vertices) == [4, 5, 6, 7]
+
+
+def test_the_holes_of_a_world_are_bodies():
+    scene = sightline.Scene2([sightline.Polygon2(SQUARE, [INNER])], world=True)
+    assert scene.has_world
+    assert scene.body_count == 1
+    assert [r.body for r in scene.rings] == [None, 0]
+
+
+def test_vertices_are_a_view_that_outlives_its_scene_and_cannot_be_written():
+    vertices = sightline.Scene2([SQUARE]).vertices
+    assert not vertices.flags.owndata
+    assert vertices.tolist() == [list(map(float, p)) for p in SQUARE]
+    with pytest.raises(ValueError):
+        vertices[0, 0] = 1
+
+
+def test_points_are_added_behind():
+    scene = sightline.Scene2([SQUARE]).with_points([(5, 5), (6, 6)])
+    assert scene.points.tolist() == [4, 5]
+    assert scene.vertices[4:].tolist() == [[5, 5], [6, 6]]
+
+
+@pytest.fixture
+def mixed():
+    room = sightline.Polygon2([(-1, -1), (9, -1), (9, 9), (-1, 9)], [SQUARE])
+    hollow = sightline.Polygon2([(5, 0), (8, 0), (8, 4), (5, 4)], [[(6, 1), (7, 1), (6, 3)]])
+    return sightline.Scene2([room, hollow], walls=[[(0, 6), (0.1, 7), (1 / 3, 6)]], points=[(5, 5)], world=True)
+
+
+def test_text_and_back_is_the_same_scene(mixed):
+    assert sightline.Scene2.from_text(mixed.to_text()) == mixed
+    assert sightline.Scene2.from_geojson(mixed.to_geojson(), world=True) == mixed
+    assert sightline.Scene2.from_wkt(mixed.to_wkt(), world=True) == mixed
+    assert sightline.Scene2.from_wkt(mixed.to_wkt().splitlines()[1]).body_count == 1
+
+
+def test_a_scene_can_be_pickled(mixed):
+    assert pickle.loads(pickle.dumps(mixed)) == mixed
+    assert pickle.loads(pickle.dumps(sightline.Scene2([SQUARE]))) == sightline.Scene2([SQUARE])
+
+
+def test_well_known_text():
+    scene = sightline.Scene2.from_wkt("POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)) LINESTRING (6 0, 7 1)")
+    assert scene == sightline.Scene2([SQUARE], walls=[[(6, 0), (7, 1)]])
+
+
+def test_files_are_read_by_their_name(mixed, tmp_path):
+    for name, text in (("a.wkt", mixed.to_wkt()), ("a.geojson", mixed.to_geojson()),
+                       ("a.txt", mixed.to_text())):
+        path = tmp_path / name
+        path.write_text(text)
+        assert sightline.Scene2.read(path, world=True) == mixed
+        assert sightline.Scene2.read(str(path), world=True) == mixed
+
+
+@pytest.mark.parametrize("text", ["POLYGON ((0 0, 1 0", "POLYGON ((0 0, 1 0, x 1))", "CIRCLE (1 2)"])
+def test_a_syntax_error_names_the_place(text, tmp_path):
+    path = tmp_path / "bad.wkt"
+    path.write_text(text)
+    with pytest.raises(sightline.SightlineError, match="bad.wkt:1"):
+        sightline.Scene2.read(path)
+    with pytest.raises(sightline.SightlineError) as caught:
+        sightline.Scene2.from_wkt(text)
+    assert caught.value.code == "syntax"
+
+
+def test_a_file_that_is_not_there():
+    with pytest.raises(sightline.SightlineError) as caught:
+        sightline.Scene2.read("/nowhere/at/all.wkt")
+    assert caught.value.code == "cannot_open"
+
+
+BAD = {
+    "self_intersection": [[(0, 0), (2, 2), (2, 0), (0, 2)]],
+    "too_few_vertices": [[(0, 0), (1, 1)]],
+    "repeated_vertex": [[(0, 0), (1, 0), (1, 0), (0, 1)]],
+    "not_finite": [[(0, 0), (1, 0), (float("nan"), 1)]],
+    "body_overlap": [SQUARE, [(2, 2), (6, 2), (6, 6)]],
+    "hole_outside": [sightline.Polygon2(INNER, [[(5, 5), (6, 5), (6, 6)]])],
+}
+
+
+@pytest.mark.parametrize("code", BAD)
+def test_bad_data_raises_with_its_code_and_one_line(code):
+    with pytest.raises(sightline.SightlineError) as caught:
+        sightline.Scene2(BAD[code])
+    assert caught.value.code == code
+    assert str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_a_point_in_a_body_raises():
+    with pytest.raises(sightline.SightlineError) as caught:
+        sightline.Scene2([SQUARE]).with_points([(2, 2)])
+    assert caught.value.code == "inside_body"
+
+
+@pytest.mark.parametrize(
+    "polygons, error",
+    [
+        ([[1, 2, 3]], ValueError),
+        ([[(1, 2, 3), (4, 5, 6), (7, 8, 9)]], ValueError),
+        ([[(0, 0), (1,), (0, 1)]], TypeError),
+        ([["a", "b"]], TypeError),
+        (5, TypeError),
+    ],
+    ids=repr,
+)
+def test_what_is_no_ring_raises(polygons, error):
+    with pytest.raises(error):
+        sightline.Scene2(polygons)
+
+
+def test_errors_can_be_pickled():
+    with pytest.raises(sightline.SightlineError) as caught:
+        sightline.Scene2(BAD["too_few_vertices"])
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert (copy.code, str(copy)) == (caught.value.code, str(caught.value))
