@@ -35,4 +35,5 @@ PYBIND11_MODULE(_core, module) {
     sightline::detail::bind_scene(module);
     sightline::detail::bind_families(module);
     sightline::detail::bind_graph(module);
+    sightline::detail::bind_view(module);
 }

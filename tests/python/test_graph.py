@@ -49,14 +49,6 @@ def test_arrays_are_views_that_outlive_the_graph():
         edges[0, 0] = 5
 
 
-def test_tangent_edges_are_edges_and_touch_without_entering():
-    scene = sightline.families.generate("dense", 200, seed=5)
-    full = {tuple(e) for e in sightline.visibility_graph(scene).edges.tolist()}
-    tangent = sightline.visibility_graph(scene, tangent=True).edges.tolist()
-    assert 0 < len(tangent) < len(full)
-    assert {tuple(e) for e in tangent} <= full
-
-
 def test_without_body_edges_only_sight_across_remains():
     without = sightline.visibility_graph(sightline.Scene2(TWO), body_edges=False)
     assert without.edges.tolist() == [[u, v] for u, v in oracle.visibility_graph(TWO) if u < 3 <= v]
@@ -80,10 +72,10 @@ def test_the_tally_tells_which_arithmetic_decided():
 
 
 def test_doubles_miss_what_one_ulp_decides():
-    scene = sightline.families.generate("near-collinear", 30, seed=1)
-    right = sightline.visibility_graph(scene, collinear="all")
-    assert right == sightline.visibility_graph(scene, collinear="all", arithmetic="exact")
-    assert right != sightline.visibility_graph(scene, collinear="all", arithmetic="double")
+    scene = sightline.families.generate("near-collinear", 50, seed=1)
+    right = sightline.visibility_graph(scene)
+    assert right == sightline.visibility_graph(scene, arithmetic="exact")
+    assert right != sightline.visibility_graph(scene, arithmetic="double")
 
 
 @pytest.mark.parametrize(
@@ -91,15 +83,6 @@ def test_doubles_miss_what_one_ulp_decides():
 def test_unknown_words_raise(options):
     with pytest.raises((ValueError, TypeError)):
         sightline.visibility_graph(sightline.Scene2(TWO), **options)
-
-
-def test_a_limit_on_edges_raises():
-    scene = sightline.families.generate("grid", 4, 4)
-    edges = sightline.visibility_graph(scene).edge_count
-    assert sightline.visibility_graph(scene, max_edges=edges).edge_count == edges
-    with pytest.raises(sightline.SightlineError) as caught:
-        sightline.visibility_graph(scene, max_edges=edges - 1)
-    assert caught.value.code == "limit_reached"
 
 
 def test_a_long_build_lets_other_threads_run_and_ends_on_interrupt():

@@ -14,10 +14,13 @@ Results are exact too, as fractions.Fraction; only what is called `approx_…` i
 
 from . import families
 from ._core import (
+    PointVisibility2,
     Polygon2,
     Scene2,
     VisibilityGraph,
+    VisibilityPolygon,
     visibility_graph,
+    visibility_polygon,
 )
 from ._core import __version__
 from ._types import ContractViolation, Direction, Ring, SightlineError
@@ -25,11 +28,14 @@ from ._types import ContractViolation, Direction, Ring, SightlineError
 __all__ = [
     "ContractViolation",
     "Direction",
+    "PointVisibility2",
     "Polygon2",
     "Ring",
     "Scene2",
     "SightlineError",
     "VisibilityGraph",
+    "VisibilityPolygon",
     "families",
     "visibility_graph",
+    "visibility_polygon",
 ]
