@@ -78,6 +78,23 @@ def test_doubles_miss_what_one_ulp_decides():
     assert right != sightline.visibility_graph(scene, arithmetic="double")
 
 
+def test_tangent_edges_are_edges_and_touch_without_entering():
+    scene = sightline.families.generate("dense", 200, seed=5)
+    full = {tuple(e) for e in sightline.visibility_graph(scene).edges.tolist()}
+    tangent = sightline.visibility_graph(scene, tangent=True).edges.tolist()
+    assert 0 < len(tangent) < len(full)
+    assert {tuple(e) for e in tangent} <= full
+
+
+def test_a_limit_on_edges_raises():
+    scene = sightline.families.generate("grid", 4, 4)
+    edges = sightline.visibility_graph(scene).edge_count
+    assert sightline.visibility_graph(scene, max_edges=edges).edge_count == edges
+    with pytest.raises(sightline.SightlineError) as caught:
+        sightline.visibility_graph(scene, max_edges=edges - 1)
+    assert caught.value.code == "limit_reached"
+
+
 @pytest.mark.parametrize(
     "options", [{"collinear": "some"}, {"arithmetic": "float"}, {"collinear": True}], ids=repr)
 def test_unknown_words_raise(options):
