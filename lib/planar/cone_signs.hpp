@@ -45,14 +45,14 @@ public:
     /// The same, first filter included.
     [[nodiscard]] Sign certain_side(const Viewpoint& from, const Limit& limit, Place p) {
         const Point2& q = t_.position(p);
-        const double det =
-            limit.x * (q.y - from.position.y) - limit.y * (q.x - from.position.x);
+        const double det = limit.x * (q.y - from.position.y) - limit.y * (q.x - from.position.x);
         ++calls_;
         const double bound = this->bound(from);
         if (det > bound) return Sign::positive;
         if (det < -bound) return Sign::negative;
         return side(from, limit, p);
     }
+    [[nodiscard]] RationalPoint2 exact_position(const Viewpoint& from) const;
     /// Counts determinants that were evaluated, decided by the first filter or not.
     void count(std::uint64_t calls) noexcept { calls_ += calls; }
     void add_to(Tally& tally) const noexcept;
@@ -61,7 +61,6 @@ private:
     [[nodiscard]] CertifiedSign decide(const Viewpoint& from, const Limit& limit, Place p) const;
     [[nodiscard]] CertifiedSign by_tier(const Viewpoint& from, const Point2& b,
                                         const Point2& c) const;
-    [[nodiscard]] RationalPoint2 exact_position(const Viewpoint& from) const;
 
     const Triangulation& t_;
     Arithmetic arithmetic_;

@@ -5,7 +5,8 @@
 
 namespace sightline::detail {
 
-Corners::Corners(const Triangulation& t) : t_(&t), corners_(t.place_count()) {
+Corners::Corners(const Triangulation& t, General general)
+    : t_(&t), general_(general), corners_(t.place_count()) {
     for (Place p = frame_places; p < t.first_constructed(); ++p) corners_[p] = classify(p);
 }
 
@@ -25,9 +26,15 @@ Corner Corners::classify(Place p) const {
     if (t.is_pinch(p)) return {Corner::Kind::general, no_index, no_index};
     if (c.first == no_index) return c;
     switch (t.orientation(p, c.first, c.last)) {
-        case Sign::positive: c.kind = Corner::Kind::convex; break;
-        case Sign::negative: c.kind = Corner::Kind::reflex; break;
-        case Sign::zero: c.kind = Corner::Kind::flat; break;
+        case Sign::positive:
+            c.kind = Corner::Kind::convex;
+            break;
+        case Sign::negative:
+            c.kind = Corner::Kind::reflex;
+            break;
+        case Sign::zero:
+            c.kind = Corner::Kind::flat;
+            break;
     }
     return c;
 }
@@ -35,16 +42,21 @@ Corner Corners::classify(Place p) const {
 bool Corners::is_tangent(const Viewpoint& v, Place w, ConeSigns& signs) const {
     const Corner& c = corners_[w];
     switch (c.kind) {
-        case Corner::Kind::open: return true;
-        case Corner::Kind::reflex: return false;
-        case Corner::Kind::general: break;
+        case Corner::Kind::open:
+            return true;
+        case Corner::Kind::reflex:
+            return false;
+        case Corner::Kind::general:
+            if (general_ == General::any_direction) return true;
+            break;
         default: {
             const Point2& p = t_->position(w);
             Limit ray;
             ray.x = p.x - v.position.x;
             ray.y = p.y - v.position.y;
             ray.place = w;
-            return signs.certain_side(v, ray, c.first) * signs.certain_side(v, ray, c.last) != Sign::negative;
+            return signs.certain_side(v, ray, c.first) * signs.certain_side(v, ray, c.last) !=
+                   Sign::negative;
         }
     }
     RayWalk walk(*t_, v.place, w);

@@ -26,7 +26,10 @@ struct Corner {
 /// The corners of all scene places.
 class Corners {
 public:
-    explicit Corners(const Triangulation& t);
+    /// What counts at general corners: tangent directions, or (where a path may bend) any.
+    enum class General : std::uint8_t { tangent, any_direction };
+
+    explicit Corners(const Triangulation& t, General general = General::tangent);
 
     [[nodiscard]] const Corner& operator[](Place p) const noexcept { return corners_[p]; }
     /// Whether the visible segment v→w, extended beyond w, is locally free.
@@ -36,6 +39,7 @@ private:
     [[nodiscard]] Corner classify(Place p) const;
 
     const Triangulation* t_;
+    General general_;
     std::vector<Corner> corners_;
 };
 

@@ -15,7 +15,8 @@ void in_parts(std::size_t n, unsigned threads, const Part& part) {
         part(std::size_t{0}, n);
         return;
     }
-    tbb::parallel_for(0U, threads, [&](unsigned i) { part(n * i / threads, n * (i + 1) / threads); });
+    tbb::parallel_for(0U, threads,
+                      [&](unsigned i) { part(n * i / threads, n * (i + 1) / threads); });
 }
 
 template <typename Visit>
@@ -23,7 +24,8 @@ void for_each_pair(const std::vector<HalfRows>& rows, const Visit& visit) {
     for (const HalfRows& block : rows) {
         std::uint64_t i = 0;
         for (std::size_t r = 0; r < block.ends.size(); ++r)
-            for (; i < block.ends[r]; ++i) visit(block.first + static_cast<Place>(r), block.places[i]);
+            for (; i < block.ends[r]; ++i)
+                visit(block.first + static_cast<Place>(r), block.places[i]);
     }
 }
 
@@ -59,7 +61,8 @@ private:
     std::vector<Place> targets_;
 };
 
-std::vector<std::uint64_t> vertex_offsets(const Triangulation& t, const PlaceRows& rows, std::size_t n) {
+std::vector<std::uint64_t> vertex_offsets(const Triangulation& t, const PlaceRows& rows,
+                                          std::size_t n) {
     std::vector<std::uint64_t> offsets(n + 1, 0);
     for (Place p = frame_places; p < t.first_constructed(); ++p) {
         std::uint64_t degree = rows[p].size();
@@ -89,7 +92,8 @@ VisibilityGraph assemble(const Triangulation& t, std::vector<HalfRows> rows, uns
         for (std::uint32_t v = 0; v < n; ++v)
             for (const Place p : by_place[t.place_of(VertexId{v})])
                 for (const VertexId w : t.vertices_at(p))
-                    if (w.index() >= begin && w.index() < end) targets[at[w.index()]++] = VertexId{v};
+                    if (w.index() >= begin && w.index() < end)
+                        targets[at[w.index()]++] = VertexId{v};
     });
     return {std::move(offsets), std::move(targets)};
 }

@@ -33,8 +33,11 @@ void GraphRows::append(Place v, std::vector<Place>& out) {
     } while (h != start);
     if (corner_.kind != Corner::Kind::general) return;
     // No wedge of tangent directions was known beforehand.
-    const auto crosses = [&](Place w) { return !corners_->is_tangent({t_.position(w), w}, v, signs_); };
-    out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(), crosses), out.end());
+    const auto crosses = [&](Place w) {
+        return !corners_->is_tangent({t_.position(w), w}, v, signs_);
+    };
+    out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(before), out.end(), crosses),
+              out.end());
 }
 
 bool GraphRows::is_after(Place p) const {
@@ -45,12 +48,14 @@ bool GraphRows::is_after(Place p) const {
 
 GraphRows::Bound GraphRows::towards(Place p) const {
     const Point2& q = t_.position(p);
-    Bound b{{q.x - from_.position.x, q.y - from_.position.y, p, Limit::Kind::towards, true, false, false},
+    Bound b{{q.x - from_.position.x, q.y - from_.position.y, p, Limit::Kind::towards, true, false,
+             false},
             is_after(p),
             false,
             false};
-    const bool vertical = p < t_.first_constructed() ? q.x == from_.position.x
-                                                     : t_.exact_position(p).x == t_.exact_position(v_).x;
+    const bool vertical = p < t_.first_constructed()
+                              ? q.x == from_.position.x
+                              : t_.exact_position(p).x == t_.exact_position(v_).x;
     b.above = vertical && b.after;
     b.below = vertical && !b.after;
     return b;
@@ -58,7 +63,10 @@ GraphRows::Bound GraphRows::towards(Place p) const {
 
 GraphRows::Bound GraphRows::away_from(Place p) const {
     const Bound b = towards(p);
-    return {{-b.limit.x, -b.limit.y, p, Limit::Kind::away_from, false, false, false}, !b.after, b.below, b.above};
+    return {{-b.limit.x, -b.limit.y, p, Limit::Kind::away_from, false, false, false},
+            !b.after,
+            b.below,
+            b.above};
 }
 
 // The triangle (v, p, q) of h: the edge to p, then the cone between p and q.
@@ -122,7 +130,9 @@ void GraphRows::begin_cone(std::uint32_t crossing, Bound right, Bound left) {
     if (!left.after) {
         left.limit = {0, span_, no_index, Limit::Kind::up, false, true, false};
     } else if (!right.after) {
-        right.limit = {0, -span_, no_index, Limit::Kind::down, right.below && right.limit.touches, false, true};
+        right.limit = {
+            0,     -span_, no_index, Limit::Kind::down, right.below && right.limit.touches,
+            false, true};
     }
     left.limit.armed |= left.above;
     expansion_.expand({crossing, left.limit, right.limit});
@@ -133,8 +143,9 @@ void GraphRows::look_along(HalfEdge h, Place p, bool above) {
     const bool right_free = t_.is_free(t_.twin(h));
     if (!left_free && !right_free) return;
     const bool on_boundary = left_free != right_free;
-    const bool reach = corner_.kind == Corner::Kind::open || corner_.kind == Corner::Kind::general ||
-                       p == corner_.first || p == corner_.last ||
+    const bool reach = corner_.kind == Corner::Kind::open ||
+                       corner_.kind == Corner::Kind::general || p == corner_.first ||
+                       p == corner_.last ||
                        (corner_.kind == Corner::Kind::convex && wedge_of(p) != Wedge::crossing);
     if (!reach) return;
     if (on_boundary && !body_edges_)
@@ -149,7 +160,8 @@ void GraphRows::look_along(HalfEdge h, Place p, bool above) {
 // Marks what lies on the boundary from h on, straight, as reported: body_edges = false.
 void GraphRows::exclude_boundary(HalfEdge h) {
     RayWalk walk(t_, v_, t_.target(h));
-    for (Place p = walk.next_place(); p != no_index && walk.ran_along_boundary(); p = walk.next_place())
+    for (Place p = walk.next_place(); p != no_index && walk.ran_along_boundary();
+         p = walk.next_place())
         seen_[p] = v_;
 }
 

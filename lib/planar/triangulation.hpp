@@ -87,8 +87,11 @@ public:
     [[nodiscard]] bool is_open(HalfEdge h) const noexcept {
         return kind_[h] == 0 && twin_[h] != no_index && is_free(h);
     }
-    /// The scene edge along h that the triangle of h sees, or none.
+    /// The scene edge along h that bounds the triangle of h: that it sees when free, or whose inside it is.
     [[nodiscard]] EdgeId scene_edge(HalfEdge h) const noexcept { return scene_edge_[h]; }
+    [[nodiscard]] bool is_boundary(HalfEdge h) const noexcept {
+        return (kind_[h] & boundary_bit) != 0;
+    }
     /// The next half-edge that starts at the same place, counter-clockwise; no_index at the frame.
     [[nodiscard]] HalfEdge rotate_ccw(HalfEdge h) const noexcept { return twin_[prev(h)]; }
 

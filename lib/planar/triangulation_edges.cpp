@@ -186,7 +186,9 @@ void TriangulationBuilder::label_edge(EdgeId id) {
             if (t_.scene_edge_[h].is_none()) t_.scene_edge_[h] = id;
             if (t_.scene_edge_[g].is_none()) t_.scene_edge_[g] = id;
         } else {
-            t_.scene_edge_[g] = id;
+            t_.scene_edge_[h] = id;
+            EdgeId& outside = t_.scene_edge_[g];
+            if (outside.is_none() || scene_[outside].kind == EdgeKind2::wall) outside = id;
             if (t_.solid_[h >> 2U] == 0) pending_.push_back(h);
             t_.solid_[h >> 2U] = 1;
         }

@@ -73,7 +73,8 @@ private:
         const auto progress = std::to_string(done_) + " of " + std::to_string(rows_.size()) +
                               " blocks of rows done, " + std::to_string(edges_) + " edges found";
         if (edges_ > limits_.max_elements)
-            error_ = Error{Errc::limit_reached, "the graph has more than " + std::to_string(limits_.max_elements) +
+            error_ = Error{Errc::limit_reached, "the graph has more than " +
+                                                    std::to_string(limits_.max_elements) +
                                                     " edges (" + progress + "); raise the limit"};
         else if (limits_.stop && limits_.stop())
             error_ = Error{Errc::cancelled, "stopped: " + progress};
@@ -120,7 +121,8 @@ Result<VisibilityGraph> visibility_graph(const Scene2& scene, const VisibilityGr
                                          const Limits& limits) {
     VisibilityGraphOptions chosen = options;
     if (chosen.threads == 0)
-        chosen.threads = static_cast<unsigned>(std::max(1, tbb::this_task_arena::max_concurrency()));
+        chosen.threads =
+            static_cast<unsigned>(std::max(1, tbb::this_task_arena::max_concurrency()));
     if (chosen.threads == 1) return detail::build_graph(scene, chosen, limits);
     tbb::task_arena arena(static_cast<int>(chosen.threads));
     return arena.execute([&] { return detail::build_graph(scene, chosen, limits); });

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shortest paths: Dijkstra in doubles from both ends leaves the few edges that can lie on a shortest
+// path within the certified rounding error; among those, sums of square roots are compared exactly.
+#include <algorithm>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
+#include <cfloat>
+#include <cmath>
+
+#include "planar/path_graph.hpp"
+#include "sightline/arith/square_roots.hpp"
+#include "sightline/geom/predicates2.hpp"
+#include "sightline/planar/shortest_path.hpp"
+
+namespace sightline {
+namespace detail {
+namespace {
+
+struct Length {
+    double value;
+};
+using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Length>;
+
+class Reached {};
+
+// Ends the search when it comes to the far end: everything nearer is settled by then.
+struct StopAt : boost::default_dijkstra_visitor {
+    explicit StopAt(std::size_t end) : target(end) {}
+    void examine_vertex(std::size_t v, const Graph& /*g*/) const {
+        if (v == target) throw Reached{};
+    }
+    std::size_t target;
+};
+
+class PathSearch {
+public:
+    PathSearch(const ViewScene& view, const PathNodes& nodes, const PathGraph& graph,
+               const RationalPoint2& from, const RationalPoint2& to)
+        : view_(view), nodes_(nodes), graph_(graph), from_(from), to_(to) {}
+
+    /// The nodes of a shortest path, ends included; empty when there is none.
+    [[nodiscard]] std::vector<std::uint32_t> run();
+    [[nodiscard]] RationalPoint2 position(std::uint32_t node) const {
+        if (node == graph_.source) return from_;
+        if (node == graph_.target) return to_;
+        return view_.triangulation.exact_position(nodes_.place(node));
+    }
+
+private:
+    using Chain = std::vector<std::uint32_t>;
+
+    [[nodiscard]] std::vector<double> distances(const Graph& g, std::size_t from,
+                                                std::size_t to) const;
+    [[nodiscard]] Graph as_graph() const;
+    [[nodiscard]] double approx_length(const PathEdge& e) const;
+    [[nodiscard]] Point2 approx_position(std::uint32_t node) const {
+        if (node == graph_.source) return approx_point(from_);
+        if (node == graph_.target) return approx_point(to_);
+        return view_.triangulation.position(nodes_.place(node));
+    }
+    [[nodiscard]] bool is_better(const Chain& a, const Chain& b) const;
+    [[nodiscard]] std::vector<Rational> squares(const Chain& chain) const;
+    [[nodiscard]] Chain settle(std::vector<PathEdge> arcs) const;
+
+    const ViewScene& view_;
+    const PathNodes& nodes_;
+    const PathGraph& graph_;
+    const RationalPoint2& from_;
+    const RationalPoint2& to_;
+};
+
+double PathSearch::approx_length(const PathEdge& e) const {
+    const Point2 a = approx_position(e.u);
+    const Point2 b = approx_position(e.v);
+    return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+Graph PathSearch::as_graph() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> arcs;
+    std::vector<Length> lengths;
+    arcs.reserve(2 * graph_.edges.size());
+    lengths.reserve(2 * graph_.edges.size());
+    for (const PathEdge& e : graph_.edges) {
+        const Length length{approx_length(e)};
+        arcs.emplace_back(e.u, e.v);
+        arcs.emplace_back(e.v, e.u);
+        lengths.insert(lengths.end(), {length, length});
+    }
+    return {boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(), lengths.begin(),
+            std::size_t{nodes_.count()} + 2};
+}
+
+std::vector<double> PathSearch::distances(const Graph& g, std::size_t from, std::size_t to) const {
+    std::vector<double> distance(boost::num_vertices(g));
+    const auto index = boost::get(boost::vertex_index, g);
+    try {
+        boost::dijkstra_shortest_paths_no_color_map(
+            g, from,
+            boost::weight_map(boost::get(&Length::value, g))
+                .distance_map(boost::make_iterator_property_map(distance.begin(), index))
+                .visitor(StopAt(to)));
+    } catch (const Reached&) {
+    }
+    return distance;
+}
+
+std::vector<Rational> PathSearch::squares(const Chain& chain) const {
+    std::vector<Rational> result;
+    for (std::size_t i = 1; i < chain.size(); ++i) {
+        const RationalPoint2 a = position(chain[i - 1]);
+        const RationalPoint2 b = position(chain[i]);
+        const Rational dx = b.x - a.x;
+        const Rational dy = b.y - a.y;
+        result.push_back(dx * dx + dy * dy);
+    }
+    return result;
+}
+
+// Shorter; or as short, with fewer vertices; or that too, and lexicographically less by vertex ids.
+bool PathSearch::is_better(const Chain& a, const Chain& b) const {
+    const std::vector<Rational> sa = squares(a);
+    const std::vector<Rational> sb = squares(b);
+    if (const Sign s = compare_sums_of_square_roots(sa, sb).sign; s != Sign::zero)
+        return s == Sign::negative;
+    if (a.size() != b.size()) return a.size() < b.size();
+    const auto id = [&](std::uint32_t node) {
+        return node >= nodes_.count() ? VertexId::none()
+                                      : view_.triangulation.vertices_at(nodes_.place(node)).front();
+    };
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [&](auto u, auto v) { return id(u) < id(v); });
+}
+
+// Best chains along the arcs (sorted by the distance of their sources), relaxed until nothing changes:
+// one round unless an arc is shorter than the rounding error.
+PathSearch::Chain PathSearch::settle(std::vector<PathEdge> arcs) const {
+    std::vector<std::pair<std::uint32_t, Chain>> best;
+    const auto chain_of = [&](std::uint32_t node) -> Chain& {
+        auto it = std::lower_bound(
+            best.begin(), best.end(), node,
+            [](const auto& entry, std::uint32_t key) { return entry.first < key; });
+        if (it == best.end() || it->first != node) it = best.insert(it, {node, {}});
+        return it->second;
+    };
+    chain_of(graph_.source) = {graph_.source};
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const PathEdge& arc : arcs) {
+            Chain longer = chain_of(arc.u);
+            if (longer.empty()) continue;
+            longer.push_back(arc.v);
+            Chain& known = chain_of(arc.v);
+            if (known == longer || (!known.empty() && !is_better(longer, known))) continue;
+            known = std::move(longer);
+            changed = true;
+        }
+    }
+    return chain_of(graph_.target);
+}
+
+std::vector<std::uint32_t> PathSearch::run() {
+    const Graph g = as_graph();
+    const std::vector<double> from = distances(g, graph_.source, graph_.target);
+    const double length = from[graph_.target];
+    if (length == std::numeric_limits<double>::max() || std::isinf(length)) return {};
+    const std::vector<double> to = distances(g, graph_.target, graph_.source);
+    // A difference of coordinates is rounded once, and a rounded end once more; hypot within 1 ulp; every
+    // sum once. With k edges a computed length is within a factor 1 ± (k + 8) u of the true one.
+    const double unit = DBL_EPSILON / 2 * (static_cast<double>(nodes_.count()) + 16);
+    const double longest = length * (1 + 4 * unit) + DBL_MIN * 16;
+    std::vector<PathEdge> arcs;
+    for (const PathEdge& e : graph_.edges) {
+        const double between = approx_length(e);
+        if (from[e.u] + between + to[e.v] <= longest) arcs.push_back({e.u, e.v});
+        if (from[e.v] + between + to[e.u] <= longest) arcs.push_back({e.v, e.u});
+    }
+    std::sort(arcs.begin(), arcs.end(),
+              [&](const PathEdge& a, const PathEdge& b) { return from[a.u] < from[b.u]; });
+    return settle(std::move(arcs));
+}
+
+// Vertices that the path passes straight are no vertices of the path.
+template <typename Position>
+void drop_straight(std::vector<std::uint32_t>& chain, const Position& position) {
+    std::vector<std::uint32_t> kept;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        if (!kept.empty() && i + 1 < chain.size()) {
+            const RationalPoint2 a = position(kept.back());
+            const RationalPoint2 b = position(chain[i]);
+            const RationalPoint2 c = position(chain[i + 1]);
+            if (a == b) continue;
+            if (orientation(a, b, c) == Sign::zero && (a < b) == (b < c)) continue;
+        }
+        kept.push_back(chain[i]);
+    }
+    chain = std::move(kept);
+}
+
+}  // namespace
+}  // namespace detail
+
+using namespace detail;
+
+Result<ShortestPath> shortest_path(const Scene2& scene, const RationalPoint2& from,
+                                   const RationalPoint2& to, const ShortestPathOptions& options) {
+    const std::array<Point2, 2> ends{approx_point(from), approx_point(to)};
+    const ViewScene view(scene, ends);
+    const auto viewpoint = [](const RationalPoint2& exact, const Point2& rounded) {
+        return to_rational(rounded) == exact ? Viewpoint{rounded}
+                                             : Viewpoint{rounded, no_index, &exact};
+    };
+    const Result<Standpoint> source =
+        stand_at(scene, view, viewpoint(from, ends[0]), options.tally);
+    if (!source) return tl::unexpected(source.error());
+    const Result<Standpoint> target = stand_at(scene, view, viewpoint(to, ends[1]), options.tally);
+    if (!target) return tl::unexpected(target.error());
+    ShortestPath path;
+    path.points = {from};
+    if (from != to) {
+        PathGraphBuilder builder(view, options);
+        const PathGraph graph = builder.build(*source, *target, from, to);
+        PathSearch search(view, builder.nodes(), graph, from, to);
+        std::vector<std::uint32_t> chain = search.run();
+        if (chain.empty())
+            return fail(
+                Errc::unreachable,
+                "no free path joins the two points; they lie in different parts of the free space");
+        drop_straight(chain, [&](std::uint32_t node) { return search.position(node); });
+        for (std::size_t i = 1; i < chain.size(); ++i)
+            path.points.push_back(search.position(chain[i]));
+        for (std::size_t i = 1; i + 1 < chain.size(); ++i)
+            path.vertices.push_back(
+                view.triangulation.vertices_at(builder.nodes().place(chain[i])).front());
+    }
+    std::vector<Rational> squares;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const Rational dx = path.points[i].x - path.points[i - 1].x;
+        const Rational dy = path.points[i].y - path.points[i - 1].y;
+        squares.push_back(dx * dx + dy * dy);
+    }
+    path.length = sum_of_square_roots(squares);
+    return path;
+}
+
+}  // namespace sightline
