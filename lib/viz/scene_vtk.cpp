@@ -326,7 +326,7 @@ void VtkPage::Parts::add_filled(Mesh& areas, const Polygon& polygon) const {
 void VtkPage::Parts::add_layer(const Layer& layer, double z) {
     const Style& style = layer.style;
     Mesh areas(z);
-    Mesh lines(z, !zoomable && style.width * scale > 1 ? style.width : 0);
+    Mesh lines(z, !zoomable && style.width * scale >= 2 ? style.width : 0);
     std::vector<Pixel> joints;
     for (const Polygon& polygon : layer.polygons) {
         if (style.fill_opacity > 0) add_filled(areas, polygon);

@@ -105,7 +105,7 @@ TEST(DrawGraph, MoreEdgesAreThinnerAndPaler) {
     EXPECT_LT(style(5000).opacity, style(10).opacity);
     EXPECT_LT(style(100'000).opacity, style(5000).opacity);
     EXPECT_LT(style(100'000).width, style(10).width);
-    EXPECT_GT(style(1'000'000).opacity, 0.02) << "never invisible";
+    EXPECT_GT(style(1'000'000).opacity, 0.01) << "never invisible";
 }
 
 TEST(DrawPath, EndsAndTurnsAreMarkedAndTheLengthIsInTheLegend) {
