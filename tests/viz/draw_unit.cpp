@@ -128,6 +128,17 @@ TEST(DrawPath, StraightPathHasNoTurns) {
     EXPECT_EQ(list.find("turns"), nullptr);
 }
 
+TEST(DrawPath, ShortestPathOfASceneIsDrawnRoundTheBody) {
+    const Scene2 scene = scene2("polygon 2 -1, 3 -1, 3 5, 2 5");
+    const auto path = shortest_path(scene, {0, 0}, {20, 0});
+    ASSERT_TRUE(path) << path.error().message;
+    const DrawList list = draw(scene, *path);
+    EXPECT_THAT(list.find("path")->polylines.at(0).points,
+                ElementsAre(Position{0, 0}, Position{2, -1}, Position{3, -1}, Position{20, 0}));
+    EXPECT_EQ(list.find("turns")->count, 2u);
+    EXPECT_GT(list.view.high.x, 20) << "the picture contains the ends";
+}
+
 /// The ring that add_view draws from exact vertices.
 std::vector<Position> drawn_ring(const RationalPoint2& from, const std::vector<ViewPoint>& ring) {
     DrawList list;
