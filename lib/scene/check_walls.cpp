@@ -18,7 +18,9 @@ struct Contact {
     std::uint32_t edge = 0;
     bool solid_left = false;  ///< B on the left of the ray
 
-    friend bool operator<(const Contact& a, const Contact& b) { return a.place < b.place; }
+    friend bool operator<(const Contact& a, const Contact& b) {
+        return a.place != b.place ? a.place < b.place : a.edge < b.edge;
+    }
 };
 
 class WallChecker {
@@ -38,7 +40,7 @@ public:
             if (crossed == no_edge && crosses(a, b, boundary_[i])) crossed = boundary_[i];
         });
         if (crossed != no_edge) return crossed;
-        std::stable_sort(contacts_.begin(), contacts_.end());
+        std::sort(contacts_.begin(), contacts_.end());
         for (std::size_t i = 0; i < contacts_.size();) {
             std::size_t j = i + 1;
             while (j < contacts_.size() && contacts_[j].place == contacts_[i].place) ++j;

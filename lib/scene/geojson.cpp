@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <span>
@@ -142,6 +143,10 @@ public:
         GeoObject object = std::move(open_.back().object);
         open_.pop_back();
         key_.clear();
+        if (options_.progress) {
+            options_.progress(static_cast<double>(at_.at - at_.begin) /
+                              static_cast<double>(at_.end - at_.begin));
+        }
         return finish(object);
     }
 
@@ -371,22 +376,28 @@ private:
     std::uint32_t numbers_ = 0;   ///< of the position being read
 };
 
-void append_ring(std::string& out, const std::vector<Point2>& points, bool close) {
-    const auto append = [&out](const Point2& p) {
-        out += '[';
-        detail::append_number(out, p.x);
-        out += ", ";
-        detail::append_number(out, p.y);
-        out += ']';
+void append_position(std::string& out, const Point2& p) {
+    // As an integer, "-0" would lose its sign in many readers.
+    const auto append = [&out](double x) {
+        detail::append_number(out, x);
+        if (x == 0 && std::signbit(x)) out += ".0";
     };
+    out += '[';
+    append(p.x);
+    out += ", ";
+    append(p.y);
+    out += ']';
+}
+
+void append_ring(std::string& out, const std::vector<Point2>& points, bool close) {
     out += '[';
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i > 0) out += ", ";
-        append(points[i]);
+        append_position(out, points[i]);
     }
     if (close && !points.empty()) {
         out += ", ";
-        append(points.front());
+        append_position(out, points.front());
     }
     out += ']';
 }
@@ -406,11 +417,9 @@ void append_geometry(std::string& out, const SceneElement2& element) {
         append_ring(out, wall->points, false);
         out += '}';
     } else {
-        out += R"({"type": "Point", "coordinates": [)";
-        detail::append_number(out, std::get<Point2>(element).x);
-        out += ", ";
-        detail::append_number(out, std::get<Point2>(element).y);
-        out += "]}";
+        out += R"({"type": "Point", "coordinates": )";
+        append_position(out, std::get<Point2>(element));
+        out += '}';
     }
 }
 

@@ -47,6 +47,17 @@ public:
                                   : owned_;
     }
 
+    /// Gives back the memory of the part that has been read; it would be mapped again when needed.
+    void release(double part) {
+        constexpr std::size_t step = std::size_t{1} << 24;
+        if (mapped_ == nullptr) return;
+        const std::size_t end =
+            static_cast<std::size_t>(part * static_cast<double>(size_)) / step * step;
+        if (end <= released_) return;
+        ::madvise(static_cast<char*>(mapped_) + released_, end - released_, MADV_DONTNEED);
+        released_ = end;
+    }
+
 private:
     FileText() = default;
 
@@ -83,6 +94,7 @@ private:
 
     void* mapped_ = nullptr;
     std::size_t size_ = 0;
+    std::size_t released_ = 0;
     std::string owned_;
 };
 
@@ -137,8 +149,12 @@ Result<SceneInput2> read_input(const std::string& path, const ReadOptions& optio
         return read_text_as(scene_format("", text), text, named);
     }
     if (named.file.empty()) named.file = path;
-    const Result<FileText> file = FileText::open(path);
+    Result<FileText> file = FileText::open(path);
     if (!file) return tl::unexpected(file.error());
+    named.progress = [&](double part) {
+        file->release(part);
+        if (options.progress) options.progress(part);
+    };
     return read_text_as(scene_format(path, file->text()), file->text(), named);
 }
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/scene_fuzz.hpp"
+#include "sightline/scene/geojson.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    return sightline::fuzz::read_make_write_read(
+        text, sightline::SceneFormat2::geojson,
+        [](std::string_view t, const sightline::ReadOptions& o) {
+            return sightline::read_geojson(t, o);
+        });
+}
