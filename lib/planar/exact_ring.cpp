@@ -60,7 +60,9 @@ void add_axes(std::vector<ViewPoint>& ring, const ViewPoint& first, const ViewPo
         return from_first == Sign::positive || to_last == Sign::positive;
     };
     unsigned start = 0;
-    while (!(is_after(axis_direction(start)) && !is_after(axis_direction(start + 3U)))) ++start;
+    while (!(cross(d, axis_direction(start).coordinates).sign() == Sign::positive &&
+             cross(d, axis_direction(start + 3U).coordinates).sign() != Sign::positive))
+        ++start;
     for (unsigned i = 0; i < 4 && is_after(axis_direction(start + i)); ++i)
         ring.push_back(axis_direction(start + i));
 }
