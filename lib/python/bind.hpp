@@ -10,5 +10,6 @@ void bind_scene(pybind11::module_& module);
 void bind_families(pybind11::module_& module);
 void bind_graph(pybind11::module_& module);
 void bind_view(pybind11::module_& module);
+void bind_path(pybind11::module_& module);
 
 }  // namespace sightline::detail

@@ -48,3 +48,12 @@ def test_it_is_small_enough_to_keep(rings):
 
 def test_the_map_has_the_vertices_and_islands_that_its_page_says(scene):
     assert (scene.vertex_count, scene.body_count) == (5521, 66)
+
+
+def test_the_ship_reaches_rhodes(scene):
+    ports = json.loads((FOLDER / "ports.json").read_text(), parse_float=str)
+    start, end = (ports["ports"][p]["at"] for p in ports["routes"][0])
+    path = sightline.shortest_path(scene, start, end)
+    straight = sum((float(a) - float(b)) ** 2 for a, b in zip(start, end)) ** 0.5
+    assert straight < path.length[0] <= path.length[1] < 1.1 * straight
+    assert sightline.shortest_path(scene, end, start).vertices.tolist() == path.vertices.tolist()[::-1]

@@ -17,8 +17,10 @@ from ._core import (
     PointVisibility2,
     Polygon2,
     Scene2,
+    ShortestPath,
     VisibilityGraph,
     VisibilityPolygon,
+    shortest_path,
     visibility_graph,
     visibility_polygon,
 )
@@ -32,10 +34,12 @@ __all__ = [
     "Polygon2",
     "Ring",
     "Scene2",
+    "ShortestPath",
     "SightlineError",
     "VisibilityGraph",
     "VisibilityPolygon",
     "families",
+    "shortest_path",
     "visibility_graph",
     "visibility_polygon",
 ]
