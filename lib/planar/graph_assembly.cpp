@@ -37,8 +37,8 @@ public:
         std::vector<std::uint64_t> at(places + 1, 0);
         in_parts(places, threads, [&](std::size_t begin, std::size_t end) {
             for_each_pair(rows, [&](Place p, Place q) {
-                at[p] += p >= begin && p < end;
-                at[q] += q >= begin && q < end;
+                if (p >= begin && p < end) ++at[p];  // the others are another thread's
+                if (q >= begin && q < end) ++at[q];
             });
         });
         for (std::size_t i = 0; i < places; ++i) offsets_[i + 1] = offsets_[i] + at[i];
