@@ -7,6 +7,7 @@ namespace sightline::detail {
 
 // One function a part of the library, in the order in which types are needed.
 void bind_scene(pybind11::module_& module);
+void bind_info(pybind11::module_& module);
 void bind_families(pybind11::module_& module);
 void bind_graph(pybind11::module_& module);
 void bind_view(pybind11::module_& module);

@@ -13,6 +13,7 @@
 
 #include "bind.hpp"
 #include "convert.hpp"
+#include "sightline/scene/doom.hpp"
 #include "sightline/scene/geojson.hpp"
 #include "sightline/scene/scene2.hpp"
 #include "sightline/scene/scene_io.hpp"
@@ -58,7 +59,7 @@ Polygon2 polygon_from(const py::handle& outer, const py::iterable& holes) {
 }
 
 ScenePointer scene_from(const py::iterable& polygons, const py::iterable& walls,
-                        const py::object& points, bool world) {
+                        const py::object& points, bool world, bool mend) {
     SceneInput2 input;
     input.world = world;
     for (const py::handle polygon : polygons) {
@@ -70,7 +71,7 @@ ScenePointer scene_from(const py::iterable& polygons, const py::iterable& walls,
         input.elements.emplace_back(Polyline2{points_from(wall, "a wall")});
     }
     for (const Point2& point : points_from(points, "points")) input.elements.emplace_back(point);
-    return scene_made_from(input);
+    return scene_made_from(input, mend);
 }
 
 ScenePointer with_points(const Scene2& scene, const py::object& points) {
@@ -94,12 +95,12 @@ Result<SceneInput2> input_from(std::string_view text, SceneFormat2 format,
 }
 
 template <SceneFormat2 format>
-ScenePointer from_string(const std::string& text, bool world) {
+ScenePointer from_string(const std::string& text, bool world, bool mend) {
     auto input = [&] {
         const py::gil_scoped_release release;
         return input_from(text, format, {.world = world});
     }();
-    return scene_made_from(unwrap(std::move(input)));
+    return scene_made_from(unwrap(std::move(input)), mend);
 }
 
 template <SceneFormat2 format>
@@ -109,13 +110,18 @@ std::string text_of(const Scene2& scene) {
     return std::move(out).str();
 }
 
-ScenePointer scene_at(const py::object& path, bool world) {
+ScenePointer scene_at(const py::object& path, bool world, bool mend) {
     const auto name = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
-    auto scene = [&] {
+    auto input = [&] {
         const py::gil_scoped_release release;
-        return read_scene(name, {.world = world});
+        return read_input(name, {.world = world});
     }();
-    return std::make_shared<Scene2>(unwrap(std::move(scene)));
+    return scene_made_from(unwrap(std::move(input)), mend);
+}
+
+ScenePointer doom_map_at(const py::object& path, const std::string& map, bool all_lines) {
+    const auto name = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+    return scene_made_from(unwrap(read_doom(name, map, {.all_lines = all_lines})));
 }
 
 // --- what a scene consists of
@@ -158,21 +164,29 @@ std::string described(const Scene2& scene) {
 void bind_readers(py::class_<Scene2, ScenePointer>& scene) {
     scene
         .def_static("read", &scene_at, py::arg("path"), py::kw_only(), py::arg("world") = false,
+                    py::arg("repair") = false,
                     "The scene in a file: WKT, GeoJSON or our own text, as its name or its first "
                     "characters tell.")
         .def_static("from_wkt", &from_string<SceneFormat2::wkt>, py::arg("text"), py::kw_only(),
-                    py::arg("world") = false, "The scene that well-known text describes.")
+                    py::arg("world") = false, py::arg("repair") = false,
+                    "The scene that well-known text describes.")
         .def_static("from_geojson", &from_string<SceneFormat2::geojson>, py::arg("text"),
-                    py::kw_only(), py::arg("world") = false, "The scene that GeoJSON describes.")
+                    py::kw_only(), py::arg("world") = false, py::arg("repair") = false,
+                    "The scene that GeoJSON describes.")
         .def_static("from_text", &from_string<SceneFormat2::text>, py::arg("text"), py::kw_only(),
-                    py::arg("world") = false, "The scene that our own text describes.")
+                    py::arg("world") = false, py::arg("repair") = false,
+                    "The scene that our own text describes.")
+        .def_static("read_doom", &doom_map_at, py::arg("path"), py::arg("map"), py::kw_only(),
+                    py::arg("all_lines") = false,
+                    "The walls of a map in a WAD file; with all_lines also those with a floor on "
+                    "both sides.")
         .def("to_wkt", &text_of<SceneFormat2::wkt>,
              "Well-known text; a reader has to be told whether there is a world.")
         .def("to_geojson", &text_of<SceneFormat2::geojson>, "GeoJSON.")
         .def("to_text", &text_of<SceneFormat2::text>, "Our own text, one ring or wall a line.")
         // Our own text says whether there is a world, so it is a complete account of a scene.
         .def(py::pickle(&text_of<SceneFormat2::text>, [](const std::string& text) {
-            return from_string<SceneFormat2::text>(text, false);
+            return from_string<SceneFormat2::text>(text, false, false);
         }));
 }
 
@@ -221,13 +235,14 @@ void bind_scene(py::module_& module) {
     scene
         .def(py::init(&scene_from), py::arg("polygons") = py::tuple(),
              py::arg("walls") = py::tuple(), py::arg("points") = py::tuple(), py::kw_only(),
-             py::arg("world") = false,
+             py::arg("world") = false, py::arg("repair") = false,
              R"(A scene of polygons, then walls, then points, numbered in this order.
 
 polygons  each a Polygon2, or an (n, 2) array-like for one without holes
 walls     each an (n, 2) array-like: consecutive points are joined
 points    an (n, 2) array-like
 world     whether the first polygon is the free world, and its holes bodies
+repair    merge overlapping bodies and remove repeats; each change is a RepairWarning
 
 Coordinates become the nearest doubles. Raises SightlineError when the scene is invalid.)")
         .def("with_points", &with_points, py::arg("points"), "The scene with more points in it.")

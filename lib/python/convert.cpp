@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+
+#include "sightline/scene/repair2.hpp"
 
 namespace sightline::detail {
 namespace {
@@ -82,12 +85,24 @@ py::tuple to_pair(const RationalPoint2& point) {
     return py::make_tuple(to_fraction(point.x), to_fraction(point.y));
 }
 
-ScenePointer scene_made_from(const SceneInput2& input) {
-    auto scene = [&] {
+ScenePointer scene_made_from(const SceneInput2& input, bool mend) {
+    if (!mend) {
+        auto scene = [&] {
+            const py::gil_scoped_release release;
+            return Scene2::make(input);
+        }();
+        return std::make_shared<Scene2>(unwrap(std::move(scene)));
+    }
+    auto repaired = [&] {
         const py::gil_scoped_release release;
-        return Scene2::make(input);
+        return repair(input);
     }();
-    return std::make_shared<Scene2>(unwrap(std::move(scene)));
+    RepairedScene2 result = unwrap(std::move(repaired));
+    const py::object category = py::module_::import("sightline._types").attr("RepairWarning");
+    for (const std::string& change : result.changes) {
+        if (PyErr_WarnEx(category.ptr(), change.c_str(), 1) != 0) throw py::error_already_set();
+    }
+    return std::make_shared<Scene2>(std::move(result.scene));
 }
 
 Arithmetic arithmetic_from(const std::string& word) {

@@ -47,8 +47,8 @@ T unwrap(Result<T>&& result) {
 /// no number.
 Rational to_rational(py::handle number);
 
-/// The scene, or SightlineError.
-ScenePointer scene_made_from(const SceneInput2& input);
+/// The scene, or SightlineError. With `mend`, repaired first; each change is a RepairWarning.
+ScenePointer scene_made_from(const SceneInput2& input, bool mend = false);
 
 /// fractions.Fraction, whatever the size.
 py::object to_fraction(const Rational& number);

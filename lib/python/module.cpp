@@ -33,6 +33,7 @@ PYBIND11_MODULE(_core, module) {
     module.attr("__version__") = SIGHTLINE_VERSION;
     py::register_exception_translator(&sightline::detail::translate_errors);
     sightline::detail::bind_scene(module);
+    sightline::detail::bind_info(module);
     sightline::detail::bind_families(module);
     sightline::detail::bind_graph(module);
     sightline::detail::bind_view(module);

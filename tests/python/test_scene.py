@@ -2,6 +2,7 @@
 """Scenes from lists and arrays, what they consist of, and what is wrong with bad ones."""
 
 import pickle
+import struct
 
 import numpy as np
 import pytest
@@ -154,6 +155,60 @@ def test_a_point_in_a_body_raises():
 def test_what_is_no_ring_raises(polygons, error):
     with pytest.raises(error):
         sightline.Scene2(polygons)
+
+
+def test_repair_merges_and_says_so():
+    with pytest.warns(sightline.RepairWarning) as said:
+        scene = sightline.Scene2([SQUARE, [(2, 2), (6, 2), (6, 6), (2, 6)]], repair=True)
+    assert scene.body_count == 1 and len(said) >= 1
+    assert sorted(map(tuple, scene.vertices.tolist())) == sorted(
+        [(0, 0), (4, 0), (4, 2), (6, 2), (6, 6), (2, 6), (2, 4), (0, 4)])
+    with pytest.warns(sightline.RepairWarning):
+        text = "POLYGON ((0 0, 4 0, 4 0, 4 4, 0 4, 0 0))"
+        assert sightline.Scene2.from_wkt(text, repair=True) == sightline.Scene2([SQUARE])
+
+
+def test_repair_of_a_valid_scene_says_nothing(recwarn):
+    assert sightline.Scene2([SQUARE], repair=True) == sightline.Scene2([SQUARE])
+    assert not recwarn.list
+
+
+def test_info_counts_and_lists_what_is_degenerate(mixed):
+    neat = sightline.info(sightline.Scene2([SQUARE]))
+    assert (neat["vertices"], neat["bodies"], neat["body_edges"]) == (4, 1, 4)
+    assert (neat["low"], neat["high"]) == ((0, 0), (4, 4))
+    assert not neat["is_degenerate"]
+    assert sightline.info(mixed)["has_world"] and sightline.info(mixed)["walls"] == 2
+    touching = sightline.info(sightline.Scene2([SQUARE, [(4, 4), (6, 4), (6, 6)], [(4, 1), (5, 1), (5, 2), (4, 2)]]))
+    assert touching["is_degenerate"]
+    assert touching["coincident"] == [[2, 4]]
+    assert {tuple(c["bodies"]): (c["points"], c["edges"]) for c in touching["contacts"]} == {
+        (0, 1): (1, 0), (0, 2): (0, 1)}
+
+
+def wad(name, vertices, lines):
+    """The bytes of a WAD with one map of one-sided lines."""
+    lumps = [
+        (name, b""),
+        ("VERTEXES", b"".join(struct.pack("<hh", *v) for v in vertices)),
+        ("LINEDEFS", b"".join(struct.pack("<HHHHHHH", a, b, 1, 0, 0, 0, 0xFFFF) for a, b in lines)),
+    ]
+    body, directory = b"", b""
+    for lump, data in lumps:
+        directory += struct.pack("<ii8s", 12 + len(body), len(data), lump.encode())
+        body += data
+    return struct.pack("<4sii", b"PWAD", len(lumps), 12 + len(body)) + body + directory
+
+
+def test_the_lines_of_a_doom_map_are_walls(tmp_path):
+    path = tmp_path / "a.wad"
+    path.write_bytes(wad("MAP01", [(0, 0), (8, 0), (8, 8)], [(0, 1), (1, 2)]))
+    scene = sightline.Scene2.read_doom(path, "map01")
+    ends = {tuple(sorted(map(tuple, wall))) for wall in scene.vertices[scene.walls].tolist()}
+    assert ends == {((0, 0), (8, 0)), ((8, 0), (8, 8))}
+    with pytest.raises(sightline.SightlineError) as caught:
+        sightline.Scene2.read_doom(path, "MAP02")
+    assert caught.value.code == "bad_parameter"
 
 
 def test_errors_can_be_pickled():

@@ -20,18 +20,20 @@ from ._core import (
     ShortestPath,
     VisibilityGraph,
     VisibilityPolygon,
+    info,
     shortest_path,
     visibility_graph,
     visibility_polygon,
 )
 from ._core import __version__
-from ._types import ContractViolation, Direction, Ring, SightlineError
+from ._types import ContractViolation, Direction, RepairWarning, Ring, SightlineError
 
 __all__ = [
     "ContractViolation",
     "Direction",
     "PointVisibility2",
     "Polygon2",
+    "RepairWarning",
     "Ring",
     "Scene2",
     "ShortestPath",
@@ -39,6 +41,7 @@ __all__ = [
     "VisibilityGraph",
     "VisibilityPolygon",
     "families",
+    "info",
     "shortest_path",
     "visibility_graph",
     "visibility_polygon",

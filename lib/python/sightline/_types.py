@@ -24,6 +24,10 @@ class ContractViolation(Exception):
     """The library was called in a way that its documentation excludes."""
 
 
+class RepairWarning(UserWarning):
+    """What `repair=True` did to make a scene valid; one warning a change."""
+
+
 class Direction(NamedTuple):
     """A vertex at infinity: the direction in which it lies."""
 
