@@ -2,6 +2,7 @@
 #include "reference/picture.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace sightline::reference {
 
@@ -126,6 +127,41 @@ std::size_t Picture::free_sector(const Heading& heading) const {
     const Spot spot = locate(heading);
     if (spot.on_arm && solid_[spot.index]) return sector_before(spot.index);
     return spot.index;
+}
+
+bool Picture::may_pass(std::size_t sector, std::size_t other) const {
+    if (sector == other) return true;
+    // Round counter-clockwise from one to the other and back: B parts them when it is met on both ways.
+    const auto meets_solid = [this](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i != last; i = (i + 1) % solid_.size()) {
+            if (solid_[i]) return true;
+        }
+        return false;
+    };
+    return meets_solid(sector, other) && meets_solid(other, sector);
+}
+
+Picture picture_at(const Scene2& scene, const Place& x) {
+    std::vector<EdgeId> touching;
+    for (std::uint32_t i = 0; i < scene.edge_count(); ++i) {
+        if (is_on(scene, EdgeId{i}, x)) touching.push_back(EdgeId{i});
+    }
+    return {scene, touching, x};
+}
+
+Error inside_error(const Scene2& scene, const Place& x) {
+    const RationalPoint2 p = x.rational();
+    const std::string name = p.x.to_string() + "," + p.y.to_string();
+    for (std::uint32_t i = 0; i < scene.edge_count(); ++i) {
+        const BodyId body = scene[EdgeId{i}].body;
+        if (body.is_none()) continue;
+        if (is_on(scene, EdgeId{i}, x) || winding_number(scene, body, x) > 0) {
+            return {Errc::inside_body, "the point " + name + " is inside body " + to_string(body) +
+                                           "; choose a point outside of it"};
+        }
+    }
+    return {Errc::outside_of_world,
+            "the point " + name + " is outside of the world; choose a point inside of it"};
 }
 
 }  // namespace sightline::reference

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/place.hpp"
+#include "sightline/scene/result.hpp"
 #include "sightline/scene/scene2.hpp"
 
 namespace sightline::reference {
@@ -57,6 +58,10 @@ public:
     /// wall, lies in or borders.
     [[nodiscard]] std::size_t free_sector(const Heading& heading) const;
 
+    /// Whether a path may come in one free sector and leave in another: it does not cross a wall, or it
+    /// goes from one of the parts that B alone makes to another.
+    [[nodiscard]] bool may_pass(std::size_t sector, std::size_t other) const;
+
 private:
     void add_arm(const Arm& arm);
     void find_solid_sectors();
@@ -68,6 +73,12 @@ private:
 
 /// Whether x lies on the closed edge.
 [[nodiscard]] bool is_on(const Scene2& scene, EdgeId edge, const Place& x);
+
+/// What there is at any place. O(n).
+[[nodiscard]] Picture picture_at(const Scene2& scene, const Place& x);
+
+/// The error for a viewpoint or an end of a path that is in the interior of B.
+[[nodiscard]] Error inside_error(const Scene2& scene, const Place& x);
 
 /// How often the rings of `body` (of the world, for none) wind round x, which lies on none of them.
 /// O(n).

@@ -185,6 +185,21 @@ std::optional<Place> SightLine::stop() const {
     return places_[*event];
 }
 
+std::vector<SightLine::Way> SightLine::ways() const {
+    if (pictures_.size() != 2) return {};
+    const Picture& at_p = pictures_.front();
+    const Picture& at_q = pictures_.back();
+    const Picture::Spot out = at_p.locate(forward(0));
+    const Picture::Spot in = at_q.locate(backward(1));
+    if (!out.on_arm) return {{out.index, in.index}};
+    const Way left{out.index, at_q.sector_before(in.index)};
+    const Way right{at_p.sector_before(out.index), in.index};
+    std::vector<Way> result;
+    if (!at_p.is_solid(left.from)) result.push_back(left);
+    if (!at_p.is_solid(right.from)) result.push_back(right);
+    return result;
+}
+
 bool SightLine::runs_along_bodies() const {
     if (cut_) return false;
     for (std::size_t i = 0; i + 1 < pictures_.size(); ++i) {

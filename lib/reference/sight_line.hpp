@@ -63,6 +63,16 @@ public:
     /// Whether the whole segment lies on boundaries of bodies or of the world.
     [[nodiscard]] bool runs_along_bodies() const;
 
+    /// The ways along a free segment that contains no vertex: a sector of the picture at p and one of the
+    /// picture at q. Along a wall there is one on each free side, unless another wall crosses it.
+    struct Way {
+        std::size_t from;
+        std::size_t to;
+    };
+    [[nodiscard]] std::vector<Way> ways() const;
+    [[nodiscard]] const Picture& picture_at_p() const { return pictures_.front(); }
+    [[nodiscard]] const Picture& picture_at_q() const { return pictures_.back(); }
+
 private:
     struct Run {
         std::size_t first;

@@ -183,27 +183,11 @@ std::vector<SeenSegment> Viewer::needles() const {
     return result;
 }
 
-std::string to_string(const RationalPoint2& p) { return p.x.to_string() + "," + p.y.to_string(); }
-
-Error inside(const Scene2& scene, const RationalPoint2& q) {
-    for (const Edge2& e : scene.edges()) {
-        if (e.body.is_none()) continue;
-        const bool on = side(scene[e.source], scene[e.target], q) == Sign::zero &&
-                        is_between(scene[e.source], scene[e.target], q);
-        if (on || winding_number(scene, e.body, q) > 0) {
-            return {Errc::inside_body, "the point " + to_string(q) + " is inside body " +
-                                           to_string(e.body) + "; choose a point outside of it"};
-        }
-    }
-    return {Errc::outside_of_world,
-            "the point " + to_string(q) + " is outside of the world; choose a point inside of it"};
-}
-
 }  // namespace
 
 Result<PointView> visibility_polygon(const Scene2& scene, const RationalPoint2& q,
                                      const VisibilityPolygonOptions& options) {
-    if (is_interior(scene, q)) return tl::unexpected(inside(scene, q));
+    if (is_interior(scene, q)) return tl::unexpected(inside_error(scene, q));
     const Viewer viewer(scene, q);
     PointView view{q, viewer.ring(), {}};
     if (options.needles == Needles::with_needles) view.needles = viewer.needles();
