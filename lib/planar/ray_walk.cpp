@@ -136,7 +136,12 @@ void RayWalk::skip_to(Place w) {
         at_ = w;
         return;
     }
-    while (at_ != w) SIGHTLINE_EXPECT(next_place() != no_index);
+    while (at_ != w) {
+        if (next_place() != no_index) continue;
+        // The walk is exact, but whoever called it w visible may have computed in `double_` or `interval`.
+        at_ = w;
+        in_wall_ = false;
+    }
 }
 
 // The ray leaves a triangle through h, which runs from its right to its left.

@@ -19,8 +19,8 @@ public:
     /// What the ray ran into when it did not come to another place: an edge, seen from this side; or
     /// no_index when it could not leave the last place.
     [[nodiscard]] HalfEdge stopped_by() const noexcept { return stopped_by_; }
-    /// Moves on to the place w on the ray, which is known to be visible. Without walls nothing before w
-    /// matters there and the way is not walked.
+    /// Moves on to the place w on the ray, which is visible, or which an arithmetic that may be wrong
+    /// holds to be so. Without walls nothing before w matters there and the way is not walked.
     void skip_to(Place w);
     /// Goes on to the next place on the ray; no_index when the ray is blocked or leaves the frame.
     [[nodiscard]] Place next_place();

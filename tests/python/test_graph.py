@@ -71,11 +71,14 @@ def test_the_tally_tells_which_arithmetic_decided():
     assert sum(row["exact"] for row in filtered.values()) < sum(row["exact"] for row in exact.values())
 
 
-def test_doubles_miss_what_one_ulp_decides():
+@pytest.mark.parametrize("collinear", ["nearest", "all"])
+def test_doubles_miss_what_one_ulp_decides(collinear):
     scene = sightline.families.generate("near-collinear", 50, seed=1)
-    right = sightline.visibility_graph(scene)
-    assert right == sightline.visibility_graph(scene, arithmetic="exact")
-    assert right != sightline.visibility_graph(scene, arithmetic="double")
+    graphs = {a: sightline.visibility_graph(scene, collinear=collinear, arithmetic=a)
+              for a in ("filtered", "exact", "interval", "double")}
+    assert graphs["filtered"] == graphs["exact"]
+    assert graphs["double"] != graphs["exact"]
+    assert graphs["interval"] != graphs["exact"]
 
 
 def test_tangent_edges_are_edges_and_touch_without_entering():
