@@ -16,15 +16,17 @@ Corner Corners::classify(Place p) const {
     const HalfEdge start = t.leaving(p);
     HalfEdge h = start;
     do {
-        if (t.is_wall(h)) return {Corner::Kind::general, no_index, no_index};
+        if (t.is_wall(h)) return {.kind = Corner::Kind::general};
         const bool solid = !t.is_free(h);
         const bool solid_before = !t.is_free(t.twin(h));
         if (solid && !solid_before) c.first = t.target(h);
         if (!solid && solid_before) c.last = t.target(h);
         h = t.rotate_ccw(h);
     } while (h != start);
-    if (t.is_pinch(p)) return {Corner::Kind::general, no_index, no_index};
+    if (t.is_pinch(p)) return {.kind = Corner::Kind::general};
     if (c.first == no_index) return c;
+    c.first_position = t.position(c.first);
+    c.last_position = t.position(c.last);
     switch (t.orientation(p, c.first, c.last)) {
         case Sign::positive:
             c.kind = Corner::Kind::convex;

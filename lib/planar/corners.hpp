@@ -21,6 +21,8 @@ struct Corner {
     /// The sector of B runs counter-clockwise from the edge towards `first` to the edge towards `last`.
     Place first = no_index;
     Place last = no_index;
+    Point2 first_position{};  // beside the places, for the filter
+    Point2 last_position{};
 };
 
 /// The corners of all scene places.
@@ -34,6 +36,25 @@ public:
     [[nodiscard]] const Corner& operator[](Place p) const noexcept { return corners_[p]; }
     /// Whether the visible segment v→w, extended beyond w, is locally free.
     [[nodiscard]] bool is_tangent(const Viewpoint& v, Place w, ConeSigns& signs) const;
+    /// The same; the determinants that `bound` (of signs.bound(v)) decides are settled inline.
+    [[nodiscard]] bool is_tangent(const Viewpoint& v, double bound, Place w,
+                                  ConeSigns& signs) const {
+        const Corner& c = corners_[w];
+        if (c.kind == Corner::Kind::reflex) return false;
+        if (c.kind == Corner::Kind::convex) {
+            const Point2& p = t_->position(w);
+            const double dx = p.x - v.position.x;
+            const double dy = p.y - v.position.y;
+            const double first =
+                dx * (c.first_position.y - v.position.y) - dy * (c.first_position.x - v.position.x);
+            const double last =
+                dx * (c.last_position.y - v.position.y) - dy * (c.last_position.x - v.position.x);
+            signs.count(2);
+            if (first > bound ? last > bound : first < -bound && last < -bound) return true;
+            if ((first > bound && last < -bound) || (first < -bound && last > bound)) return false;
+        }
+        return is_tangent(v, w, signs);
+    }
 
 private:
     [[nodiscard]] Corner classify(Place p) const;

@@ -13,8 +13,9 @@ namespace sightline::detail {
 struct alignas(32) Crossing {
     double x, y;  ///< the apex opposite the edge
     Place apex;
-    /// Where the cone goes on through the edge on its left (apex…left end) and right, or no_index.
-    std::uint32_t left, right;
+    /// Where the cone goes on through the edge on its left (apex…left end), [0], and on its right, [1]; or
+    /// no_index.
+    std::uint32_t exits[2];
     std::uint32_t flags;  ///< of the apex
 };
 inline constexpr std::uint32_t is_vertex_flag = 1;  ///< a scene vertex lies there

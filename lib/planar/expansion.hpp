@@ -48,8 +48,13 @@ private:
     void enter(Cone& cone);
     void enter_carefully(const Crossing& c, double dx, double dy, Cone& cone);
     void split(const Crossing& c, double dx, double dy, Cone& cone);
-    void exit_right(const Crossing& c, Cone& cone);
-    void exit_left(const Crossing& c, Cone& cone);
+    void leave(const Crossing& c, bool right, Cone& cone);
+    /// The edge on the cone's left or right through which it would leave the triangle that it entered.
+    [[nodiscard]] static HalfEdge exit_edge(const Cone& cone, bool right) {
+        if constexpr (!Visitor::wants_blocked) return no_index;
+        const HalfEdge h = Crossings::half_edge(cone.crossing);
+        return right ? next(h) : prev(h);
+    }
     void stop(HalfEdge exit, Cone& cone) {
         if (cone.left.touches && cone.left.armed) visitor_.follow(cone.left);
         if (cone.right.touches && cone.right.armed) visitor_.follow(cone.right);
@@ -87,18 +92,23 @@ void Expansion<Visitor>::expand(const Cone& start) {
 template <typename Visitor>
 inline void Expansion<Visitor>::enter(Cone& cone) {
     const Crossing& c = crossings_[cone.crossing];
+    // One of the exits is next; which one is known only after the determinants.
+    if (c.exits[0] != no_index) __builtin_prefetch(&crossings_[c.exits[0]]);
+    if (c.exits[1] != no_index) __builtin_prefetch(&crossings_[c.exits[1]]);
     const double dx = c.x - from_.position.x;
     const double dy = c.y - from_.position.y;
     const double left = cone.left.x * dy - cone.left.y * dx;
     const double right = cone.right.x * dy - cone.right.y * dx;
+    // Branches, not selections: a predicted exit lets the next triangle load early, which is worth more
+    // than the mispredictions (measured: selections cost 20 to 50 % more).
     if (left < -bound_ && right > bound_) {
         split(c, dx, dy, cone);
     } else if (left > bound_) {
         cone.left.touches = false;
-        exit_right(c, cone);
+        leave(c, true, cone);
     } else if (right < -bound_) {
         cone.right.touches = false;
-        exit_left(c, cone);
+        leave(c, false, cone);
     } else {
         enter_carefully(c, dx, dy, cone);
     }
@@ -112,14 +122,14 @@ template <typename Visitor>
     if (left != Sign::negative) {
         cone.left.touches = left == Sign::zero;
         if (left == Sign::zero) visitor_.on_limit(c, cone.left);
-        exit_right(c, cone);
+        leave(c, true, cone);
         return;
     }
     const Sign right = signs_.side(from_, cone.right, c.apex);
     if (right != Sign::positive) {
         cone.right.touches = right == Sign::zero;
         if (right == Sign::zero) visitor_.on_limit(c, cone.right);
-        exit_left(c, cone);
+        leave(c, false, cone);
         return;
     }
     split(c, dx, dy, cone);
@@ -129,32 +139,23 @@ template <typename Visitor>
 inline void Expansion<Visitor>::split(const Crossing& c, double dx, double dy, Cone& cone) {
     visitor_.vertex(c);
     const Limit middle{dx, dy, c.apex, Limit::Kind::towards, true, false, false};
-    if (c.left != no_index) {
-        stack_.push_back({c.left, cone.left, middle});
+    if (c.exits[0] != no_index) {
+        stack_.push_back({c.exits[0], cone.left, middle});
     } else if constexpr (Visitor::wants_blocked) {
-        stack_.push_back(
-            {blocked_bit | prev(Crossings::half_edge(cone.crossing)), cone.left, middle});
+        stack_.push_back({blocked_bit | exit_edge(cone, false), cone.left, middle});
     } else if (cone.left.touches && cone.left.armed) {
         visitor_.follow(cone.left);
     }
     cone.left = middle;
-    exit_right(c, cone);
+    leave(c, true, cone);
 }
 
 template <typename Visitor>
-inline void Expansion<Visitor>::exit_right(const Crossing& c, Cone& cone) {
-    if (c.right != no_index)
-        cone.crossing = c.right;
+inline void Expansion<Visitor>::leave(const Crossing& c, bool right, Cone& cone) {
+    if (c.exits[right] != no_index)
+        cone.crossing = c.exits[right];
     else
-        stop(Visitor::wants_blocked ? next(Crossings::half_edge(cone.crossing)) : 0, cone);
-}
-
-template <typename Visitor>
-inline void Expansion<Visitor>::exit_left(const Crossing& c, Cone& cone) {
-    if (c.left != no_index)
-        cone.crossing = c.left;
-    else
-        stop(Visitor::wants_blocked ? prev(Crossings::half_edge(cone.crossing)) : 0, cone);
+        stop(exit_edge(cone, right), cone);
 }
 
 }  // namespace sightline::detail

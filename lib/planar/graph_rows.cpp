@@ -24,6 +24,7 @@ void GraphRows::append(Place v, std::vector<Place>& out) {
     from_ = {t_.position(v), v};
     out_ = &out;
     expansion_.look_from(from_);
+    bound_ = signs_.bound(from_);
     const HalfEdge start = t_.leaving(v);
     HalfEdge h = start;
     const std::size_t before = out.size();

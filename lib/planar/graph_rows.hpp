@@ -60,7 +60,8 @@ private:
         if (every_ && b.after) follow_beyond(b.limit.place);
     }
     void report(Place p) {
-        if (corners_ == nullptr || corners_->is_tangent(from_, p, signs_)) out_->push_back(p);
+        if (corners_ == nullptr || corners_->is_tangent(from_, bound_, p, signs_))
+            out_->push_back(p);
     }
     void report_once(Place p);
     void exclude_boundary(HalfEdge h);
@@ -75,6 +76,7 @@ private:
     double span_;
     Place v_ = no_index;
     Viewpoint from_;
+    double bound_ = 0;
     Corner corner_;  // of v, when the tangent graph is asked for
     std::vector<Place>* out_ = nullptr;
     std::vector<Place> seen_;  // the viewpoint that last reported a place on a boundary ray

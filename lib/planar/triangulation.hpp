@@ -102,6 +102,8 @@ public:
     /// All coordinates, the frame's included, are small multiples of one power of two, so that the
     /// 2×2 determinants of their differences are exact in doubles.
     [[nodiscard]] bool is_on_exact_grid() const noexcept { return exact_grid_; }
+    /// The step of that grid, a power of two; 0 when there is none.
+    [[nodiscard]] double grid_step() const noexcept { return grid_step_; }
     /// Bound on the rounding error of such a determinant of any three places (0 on an exact grid).
     [[nodiscard]] double orientation_bound() const noexcept { return orientation_bound_; }
     /// The same with one point anywhere in the frame, its coordinates rounded once.

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "planar/exact_points.hpp"
 #include "planar/needles.hpp"
 #include "planar/view_scene.hpp"
 #include "planar/view_sweep.hpp"
@@ -74,6 +75,10 @@ Result<VisibilityPolygon> PointVisibility2::from(const RationalPoint2& q,
     }
     if (!done) return tl::unexpected(done.error());
     return out;
+}
+
+ExactPoints PointVisibility2::exact_points(const VisibilityPolygon& polygon) const {
+    return detail::exact_points(impl_->scene, impl_->view.triangulation, polygon);
 }
 
 Result<VisibilityPolygon> visibility_polygon(const Scene2& scene, const RationalPoint2& q,

@@ -73,6 +73,8 @@ struct VisibilityPolygon {
 [[nodiscard]] std::vector<ViewPoint> exact_ring(const Scene2& scene,
                                                 const VisibilityPolygon& polygon);
 
+class ExactPoints;
+
 /// A scene prepared for many visibility polygons. Immutable and safe to share between threads.
 class PointVisibility2 {
 public:
@@ -89,6 +91,8 @@ public:
     /// The same into storage that the caller reuses.
     [[nodiscard]] Result<void> from(const Point2& q, const VisibilityPolygonOptions& options,
                                     VisibilityPolygon& out) const;
+    /// Exact coordinates of a polygon that this object gave, vertex by vertex (planar/exact_points.hpp).
+    [[nodiscard]] ExactPoints exact_points(const VisibilityPolygon& polygon) const;
 
 private:
     struct Impl;
