@@ -3,10 +3,10 @@
 # The main job on a real map: a ship's route through the Aegean islands.
 # Usage: experiments/aegean/demo.sh [SIGHTLINE [OUT_FOLDER]]   (called by `make demo`)
 set -euo pipefail
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(cd "$here/../.." && pwd)
-sightline=${1:-$root/build/release/bin/sightline}
-out=${2:-$root/out/aegean}
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+sightline=${1:-build/release/bin/sightline}
+out=${2:-out/aegean}
+here=experiments/aegean
 map=$here/aegean.geojson
 mkdir -p "$out"
 
@@ -24,7 +24,8 @@ python3 "$here/summary.py" --routes "$here/ports.json" > "$out/routes.txt"
 while read -r name from to; do
     run path "$map" --world "--from=$from" "--to=$to" -o "$out/$name.json" \
         --vtk "$out/$name.vtp" --svg "$out/$name.svg"
-    run render "$map" --world "$out/$name.json" --png "$out/$name.png"
+    run render "$map" --world "$out/$name.json" --title "The shortest way from ${name/-/ to }, km" \
+        --png "$out/$name.png"
 done < "$out/routes.txt"
 
 python3 "$here/summary.py" "$out"
