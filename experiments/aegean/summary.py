@@ -10,15 +10,14 @@ TIERS = ("calls", "filter", "interval", "exact", "undecided")
 
 
 def routes(ports_file):
-    """Yields (file stem, from, to, title) of every route, coordinates as `x,y`."""
+    """Yields (file stem, from, to) of every route, coordinates as `x,y`."""
     text = json.loads(pathlib.Path(ports_file).read_text(), parse_float=str, parse_int=str)
     for start, end in text["routes"]:
-        places = (",".join(text["ports"][port]["at"]) for port in (start, end))
-        yield f"{start}-{end}".lower(), *places, f"{start} to {end}"
+        yield (f"{start}-{end}".lower(), *(",".join(text["ports"][p]["at"]) for p in (start, end)))
 
 
 def seconds(document):
-    return document["stats"]["seconds"]["build"]
+    return sum(document["stats"]["seconds"].values())
 
 
 def rows(folder):

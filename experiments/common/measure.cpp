@@ -2,7 +2,9 @@
 #include "common/measure.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -10,6 +12,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <stdexcept>
 #include <thread>
 
 namespace sightline::experiments {
@@ -58,6 +61,29 @@ std::size_t memory_bytes() {
     std::size_t resident = 0;
     in >> total >> resident;
     return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+std::size_t peak_growth_bytes(const std::function<void()>& f) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+    std::fflush(nullptr);
+    malloc_trim(0);  // what was freed must neither be used again nor count as the child's peak
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("no child process");
+    if (child == 0) {
+        const std::size_t before = memory_bytes();
+        f();
+        const std::size_t grown = peak_memory_bytes() - before;
+        const bool told = write(ends[1], &grown, sizeof grown) == sizeof grown;
+        _exit(told ? 0 : 1);
+    }
+    close(ends[1]);
+    std::size_t grown = 0;
+    const bool told = read(ends[0], &grown, sizeof grown) == sizeof grown;
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    if (!told) throw std::runtime_error("the child process ended early");
+    return grown;
 }
 
 std::string provenance() {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,10 @@ namespace sightline::experiments {
 [[nodiscard]] std::size_t peak_memory_bytes();
 /// The resident set now.
 [[nodiscard]] std::size_t memory_bytes();
+
+/// What f allocates at its peak: run in a child process, whose peak is its own. To be called while the process
+/// has a single thread, or for functions that use no other.
+[[nodiscard]] std::size_t peak_growth_bytes(const std::function<void()>& f);
 
 /// Commit, compiler, processor and load, one `# key: value` line each: the head of every result file.
 [[nodiscard]] std::string provenance();

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
-#include "cli/session.hpp"
+#include "cli/program.hpp"
 #include "sightline/scene/scene2.hpp"
 
 namespace sightline::detail {
