@@ -10,14 +10,15 @@ TIERS = ("calls", "filter", "interval", "exact", "undecided")
 
 
 def routes(ports_file):
-    """Yields (file stem, from, to) of every route, coordinates as `x,y`."""
+    """Yields (file stem, from, to, title) of every route, coordinates as `x,y`."""
     text = json.loads(pathlib.Path(ports_file).read_text(), parse_float=str, parse_int=str)
     for start, end in text["routes"]:
-        yield (f"{start}-{end}".lower(), *(",".join(text["ports"][p]["at"]) for p in (start, end)))
+        places = (",".join(text["ports"][port]["at"]) for port in (start, end))
+        yield f"{start}-{end}".lower(), *places, f"{start} to {end}"
 
 
 def seconds(document):
-    return sum(document["stats"]["seconds"].values())
+    return document["stats"]["seconds"]["build"]
 
 
 def rows(folder):

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "cli/interruption.hpp"
+#include "sightline/arith/rational.hpp"
 
 namespace sightline::detail {
 namespace {
@@ -21,6 +22,17 @@ std::string one_line(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
+}
+
+/// Rational::parse knows no words such as nan and does not ask the locale.
+double parse_seconds(const std::string& text) {
+    const auto seconds = Rational::parse(text);
+    constexpr int most = 1'000'000'000;
+    if (!seconds || seconds->sign() != Sign::positive || *seconds > Rational(most)) {
+        throw CLI::ValidationError("--limit-seconds",
+                                   "'" + text + "' is no time; write seconds, as in 30 or 0.5");
+    }
+    return seconds->approx_double();
 }
 
 /// "512M" as bytes.
@@ -53,10 +65,10 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
         ->check(CLI::Range(0, 1024))
         ->type_name("N")
         ->group(common_group);
-    app.add_option_function<double>(
-           "--limit-seconds", [&common](double seconds) { common.limit_seconds = seconds; },
+    app.add_option_function<std::string>(
+           "--limit-seconds",
+           [&common](const std::string& text) { common.limit_seconds = parse_seconds(text); },
            "give up after so long, with exit status 1")
-        ->check(CLI::PositiveNumber)
         ->type_name("S")
         ->group(common_group);
     app.add_option_function<std::string>(
@@ -112,7 +124,10 @@ ExitStatus Program::run(int argc, char** argv) {
         app_.exit(request);
         return ExitStatus::done;
     } catch (const CLI::ParseError& error) {
-        return tell_usage(error);
+        if (names_no_command(argc, argv)) {
+            return tell_usage(fmt::format("there is no command '{}'", argv[1]));
+        }
+        return tell_usage(one_line(error.what()));
     }
     try {
         return run_chosen();
@@ -139,11 +154,23 @@ ExitStatus Program::run_chosen() {
     return status_of(status.error().code);
 }
 
-ExitStatus Program::tell_usage(const CLI::ParseError& error) const {
+ExitStatus Program::tell_usage(const std::string& what) const {
     std::string command = "sightline";
     for (const CLI::App* chosen : app_.get_subcommands()) command += " " + chosen->get_name();
-    fmt::print(stderr, "{}: {}; see {} --help\n", command, one_line(error.what()), command);
+    fmt::print(stderr, "{}: {}; see {} --help\n", command, what, command);
     return ExitStatus::bad_input;
+}
+
+bool Program::names_no_command(int argc, char** argv) const {
+    if (argc < 2 || argv[1][0] == '-') return false;
+    const std::string word = argv[1];
+    const auto is_named = [&](const CLI::App* app) { return app->get_name() == word; };
+    return app_.get_subcommands(is_named).empty();
+}
+
+void Program::allow_partial(CLI::App& app) {
+    app.add_flag("--partial", common_.partial,
+                 "when --limit-seconds is over, write what there is, marked as not complete");
 }
 
 void add_scene_arguments(CLI::App& app, SceneArguments& arguments) {
@@ -161,16 +188,19 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments) {
 
 void add_output_arguments(CLI::App& app, OutputArguments& arguments) {
     const auto add = [&app](const char* name, std::string& path, const char* what) {
-        app.add_option(name, path, what)->type_name("FILE")->group("Output");
+        app.add_option(name, path, what)
+            ->type_name("FILE")
+            ->group("Output")
+            ->check(CLI::Validator(
+                [](const std::string& file) {
+                    return std::string(file.empty() ? "the name is empty" : "");
+                },
+                ""));
     };
     add("-o,--output", arguments.json, "JSON; standard output when no output is named");
     add("--vtk", arguments.vtk, "VTK polydata (.vtp)");
     add("--png", arguments.png, "picture");
     add("--svg", arguments.svg, "picture");
-}
-
-void add_partial(CLI::App& app, bool& partial) {
-    app.add_flag("--partial", partial, "when a limit is reached, write what there is");
 }
 
 }  // namespace sightline::detail

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
-#include <vector>
 
+#include "cli/arguments.hpp"
 #include "cli/session.hpp"
 
 /// The commands and what they have in common. Each cmd_<command>.cpp adds one.
@@ -13,24 +13,6 @@ namespace sightline::detail {
 
 /// The work of a command, once its arguments are read.
 using Command = std::function<Result<ExitStatus>(Session&)>;
-
-/// The scene files of a command.
-struct SceneArguments {
-    std::vector<std::string> files;
-    bool world = false;
-    bool repair = false;
-    bool all_lines = false;
-};
-
-/// Where a result goes; empty: not there.
-struct OutputArguments {
-    std::string json;
-    std::string vtk;
-    std::string png;
-    std::string svg;
-
-    [[nodiscard]] std::vector<std::string> given() const;
-};
 
 class Program {
 public:
@@ -40,12 +22,16 @@ public:
     CLI::App& add(const std::string& name, const std::string& what, const std::string& example,
                   Command command);
 
+    /// Adds --partial, for commands whose unfinished results mean something.
+    void allow_partial(CLI::App& app);
+
     /// Reads the arguments, runs the command, tells errors on standard error.
     [[nodiscard]] ExitStatus run(int argc, char** argv);
 
 private:
     [[nodiscard]] ExitStatus run_chosen();
-    [[nodiscard]] ExitStatus tell_usage(const CLI::ParseError& error) const;
+    [[nodiscard]] ExitStatus tell_usage(const std::string& what) const;
+    [[nodiscard]] bool names_no_command(int argc, char** argv) const;
 
     CLI::App app_;
     CommonOptions common_;
@@ -56,10 +42,14 @@ private:
 void add_scene_arguments(CLI::App& app, SceneArguments& arguments);
 /// -o, --vtk, --png, --svg.
 void add_output_arguments(CLI::App& app, OutputArguments& arguments);
-/// --partial, for commands whose unfinished results mean something.
-void add_partial(CLI::App& app, bool& partial);
-
 void add_info(Program& program);
 void add_graph(Program& program);
+void add_view2(Program& program);
+void add_path(Program& program);
+void add_render(Program& program);
+void add_show(Program& program);
+void add_generate(Program& program);
+void add_torture(Program& program);
+void add_check(Program& program);
 
 }  // namespace sightline::detail

@@ -1,15 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/scene_loading.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
+#include "sightline/scene/doom.hpp"
+#include "sightline/scene/repair2.hpp"
 #include "sightline/scene/scene_io.hpp"
 
 namespace sightline::detail {
 namespace {
 
-Result<SceneInput2> load_file(const std::string& file, bool world, Session& session) {
+/// FILE.wad and MAP, when the name is of the form FILE.wad:MAP.
+std::optional<std::pair<std::string, std::string>> doom_map(const std::string& name) {
+    const std::size_t colon = name.rfind(':');
+    const std::string file = name.substr(0, colon);
+    if (!file.ends_with(".wad") && !file.ends_with(".WAD")) return std::nullopt;
+    return std::pair{file, colon == std::string::npos ? "" : name.substr(colon + 1)};
+}
+
+Result<SceneInput2> load_doom(const std::string& file, const std::string& map, bool all_lines) {
+    if (!map.empty()) return read_doom(file, map, DoomOptions{all_lines});
+    const Result<std::vector<std::string>> maps = doom_maps(file);
+    if (!maps) return tl::unexpected(maps.error());
+    return fail(Errc::bad_parameter, fmt::format("{}: which map? Write {}:MAP with one of {}", file,
+                                                 file, fmt::join(*maps, " ")));
+}
+
+Result<SceneInput2> load_file(const std::string& file, bool world, bool all_lines,
+                              Session& session) {
+    if (const auto doom = doom_map(file)) return load_doom(doom->first, doom->second, all_lines);
     ReadOptions options;
     options.world = world;
     options.progress = [&session](double fraction) { session.progress().update(fraction); };
@@ -36,8 +59,13 @@ Result<std::vector<SceneInput2>> load_parts(const SceneArguments& arguments, Ses
     }
     std::vector<SceneInput2> parts;
     for (const std::string& file : arguments.files) {
-        Result<SceneInput2> part = load_file(file, arguments.world && parts.empty(), session);
-        if (!part) return tl::unexpected(part.error());
+        Result<SceneInput2> part =
+            load_file(file, arguments.world && parts.empty(), arguments.all_lines, session);
+        if (!part) {
+            // What a reader refuses to read is bad input, not a limit of this run.
+            const bool is_limit = part.error().code == Errc::limit_reached;
+            return fail(is_limit ? Errc::unsupported : part.error().code, part.error().message);
+        }
         if (part->world && !parts.empty()) {
             return fail(Errc::bad_parameter,
                         file + ": only the first file may be a world; name it first");
@@ -58,12 +86,21 @@ Error fault_of(const std::vector<SceneInput2>& parts, const Error& whole) {
     return whole;
 }
 
+Result<LoadedScene> load_repaired(const SceneInput2& input, const SceneArguments& arguments,
+                                  Session& session) {
+    Result<RepairedScene2> repaired = repair(input);
+    if (!repaired) return tl::unexpected(repaired.error());
+    for (const std::string& change : repaired->changes) session.note("repair: " + change);
+    return LoadedScene{std::move(repaired->scene), arguments, std::move(repaired->changes)};
+}
+
 }  // namespace
 
 Result<LoadedScene> load_scene(const SceneArguments& arguments, Session& session) {
     return session.timed("read", "reading", [&]() -> Result<LoadedScene> {
         const Result<std::vector<SceneInput2>> parts = load_parts(arguments, session);
         if (!parts) return tl::unexpected(parts.error());
+        if (arguments.repair) return load_repaired(joined(*parts), arguments, session);
         Result<Scene2> scene = Scene2::make(joined(*parts));
         if (!scene) return tl::unexpected(fault_of(*parts, scene.error()));
         return LoadedScene{std::move(*scene), arguments, {}};

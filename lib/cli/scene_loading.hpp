@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/program.hpp"
+#include "cli/arguments.hpp"
+#include "cli/session.hpp"
 #include "sightline/scene/scene2.hpp"
 
 namespace sightline::detail {

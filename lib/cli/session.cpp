@@ -91,7 +91,7 @@ void Session::watch() {
 void Session::reached(const std::string& what) {
     reached_ = what;
     is_over_ = true;
-    if (common_.partial) return;
+    if (keeps_) return;
     const std::string message =
         fmt::format("limit reached: {} while {}, {} % done; nothing is written; raise the limit",
                     reached_, progress_.phase(), static_cast<int>(progress_.fraction() * 100));

@@ -61,6 +61,9 @@ public:
     /// For algorithms: stops with the time, reports progress. The errors that they end with then
     /// are put right by `explain`.
     [[nodiscard]] Limits limits();
+    /// From now on there is something that --partial may keep: a limit asks the work to stop instead
+    /// of ending the program.
+    void keep_from_now_on() noexcept { keeps_ = common_.partial; }
     /// Whether the time is over and the work should end, keeping what there is.
     [[nodiscard]] bool is_over() const noexcept { return is_over_.load(); }
     /// What a limit that was reached says, with what was done so far.
@@ -92,6 +95,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 
     std::atomic<bool> is_over_{false};
+    std::atomic<bool> keeps_{false};
     std::string reached_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;

@@ -2,6 +2,7 @@
 // Exact coordinates of visibility polygons, and the canonical form of their rings.
 #include <algorithm>
 
+#include "planar/exact_ring.hpp"
 #include "sightline/planar/visibility_polygon.hpp"
 
 namespace sightline {
@@ -131,11 +132,7 @@ ViewPoint exact_point(const Scene2& scene, const RationalPoint2& from, const Vie
     return {from, false};
 }
 
-std::vector<ViewPoint> exact_ring(const Scene2& scene, const VisibilityPolygon& polygon) {
-    std::vector<ViewPoint> ring;
-    ring.reserve(polygon.ring.size());
-    for (const ViewVertex& v : polygon.ring) ring.push_back(exact_point(scene, polygon.from, v));
-    ring = with_axes(ring);
+std::vector<ViewPoint> detail::canonical_form(std::vector<ViewPoint> ring) {
     drop_repeats_and_straight(ring);
     if (ring.empty()) return ring;
     const auto n = static_cast<std::ptrdiff_t>(ring.size());
@@ -150,6 +147,13 @@ std::vector<ViewPoint> exact_ring(const Scene2& scene, const VisibilityPolygon& 
             best = std::move(turned);
     }
     return best;
+}
+
+std::vector<ViewPoint> exact_ring(const Scene2& scene, const VisibilityPolygon& polygon) {
+    std::vector<ViewPoint> ring;
+    ring.reserve(polygon.ring.size());
+    for (const ViewVertex& v : polygon.ring) ring.push_back(exact_point(scene, polygon.from, v));
+    return detail::canonical_form(with_axes(ring));
 }
 
 }  // namespace sightline

@@ -123,7 +123,13 @@ GraphRows::Wedge GraphRows::wedge_of(Place p) {
 // A cone as far as it lies in the half-plane of greater places. The ray straight down belongs to the
 // other half-plane, the ray straight up to this one.
 void GraphRows::begin_cone(std::uint32_t crossing, Bound right, Bound left) {
-    if ((!left.after && !right.after) || right.above) return;
+    if (!left.after && !right.after) return;
+    if (right.above) {
+        // Unless a corner's tangent directions begin straight up, the cone on the right has that ray.
+        if (right.limit.kind == Limit::Kind::away_from && crossing != no_index)
+            expansion_.expand({crossing, right.limit, right.limit});
+        return;
+    }
     if (crossing == no_index) {
         if (left.above && left.limit.kind == Limit::Kind::towards) follow_after(left);
         return;

@@ -33,7 +33,11 @@ struct Stop {
     Picture picture;
 };
 
-/// On the way along a segment to `stop`, in `sector` of it (for the ends: anywhere).
+/// While all of the path so far lies in walls, or all that follows does, no wall is crossed.
+constexpr std::size_t in_first_run = static_cast<std::size_t>(-1);
+constexpr std::size_t in_last_run = static_cast<std::size_t>(-2);
+
+/// At `stop`, having come in `sector` of it or in one of the runs of walls that contain an end.
 struct State {
     std::size_t stop;
     std::size_t sector;
@@ -96,15 +100,17 @@ void PathFinder::find_arcs(const Scene2& scene) {
             const SightLine line(scene, everything.candidates(), p, q, Reach::segment);
             if (!line.is_free()) continue;
             const Rational length = squared_distance(p.rational(), q.rational());
-            const auto sector = [](std::size_t stop, std::size_t s) {
-                return stop <= goal ? 0 : s;
+            const auto add = [&](std::size_t leaves, std::size_t comes) {
+                arcs_.push_back({{i, leaves}, {j, j == goal ? 0 : comes}, length});
             };
+            if (line.runs_along_walls()) {
+                add(in_first_run, in_first_run);
+                add(in_last_run, in_last_run);
+            }
             if (i == start && j == goal) {
-                arcs_.push_back({{i, 0}, {j, 0}, length});
+                add(0, 0);
             } else if (!line.passes_vertex()) {
-                for (const auto& way : line.ways()) {
-                    arcs_.push_back({{i, sector(i, way.from)}, {j, sector(j, way.to)}, length});
-                }
+                for (const auto& way : line.ways()) add(way.from, way.to);
             }
         }
     }
@@ -112,12 +118,15 @@ void PathFinder::find_arcs(const Scene2& scene) {
 
 bool PathFinder::may_continue(const State& at, const Arc& arc) const {
     if (arc.from.stop != at.stop) return false;
-    return at.stop == start || stops_[at.stop].picture.may_pass(at.sector, arc.from.sector);
+    if (arc.from.sector == in_first_run) return at.sector == in_first_run;
+    if (arc.from.sector == in_last_run || at.sector == in_first_run) return true;
+    if (at.sector == in_last_run) return false;
+    return stops_[at.stop].picture.may_pass(at.sector, arc.from.sector);
 }
 
 // Dijkstra's algorithm, the obvious way.
 void PathFinder::settle() {
-    std::map<State, Squares> open{{State{start, 0}, {}}};
+    std::map<State, Squares> open{{State{start, in_first_run}, {}}};
     while (!open.empty()) {
         const auto nearest = std::min_element(
             open.begin(), open.end(),

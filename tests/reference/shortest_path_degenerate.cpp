@@ -49,6 +49,16 @@ TEST(ReferencePath, does_not_cross_walls_at_their_corners) {
               "-1/2,1/2 -1,0 1/2,-1/2 (v0)");
 }
 
+// Along the wall 0-1 the crossing wall is passed only where the path begins, or ends, in the wall; else
+// the way leads round the end of the crossing wall.
+TEST(ReferencePath, passes_a_crossing_in_a_wall_only_at_its_ends) {
+    const Scene2 scene = scene2("wall 0 0, 4 0; wall 2 -9, 2 9");
+    EXPECT_EQ(path(scene, "0,0", "4,0"), "0,0 4,0 ()");
+    EXPECT_EQ(path(scene, "0,0", "5,1"), "0,0 4,0 5,1 (v1)");
+    EXPECT_EQ(path(scene, "-1,1", "4,0"), "-1,1 0,0 4,0 (v0)");
+    EXPECT_EQ(path(scene, "-1,1", "5,1"), "-1,1 2,9 5,1 (v3)");
+}
+
 TEST(ReferencePath, does_not_leave_a_ring_of_walls) {
     EXPECT_EQ(path(degenerate_scene("wall_ring"), "2,1", "6,1"), "unreachable");
     EXPECT_EQ(path(degenerate_scene("wall_between_bodies"), "2,0", "2,1"),
