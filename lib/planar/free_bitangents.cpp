@@ -1,36 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sightline/planar/free_bitangents.hpp"
 
-#include <algorithm>
-
 #include "event/contacts.hpp"
 
 namespace sightline {
 
-// Vertices in ascending order, each with its greater neighbours: the reversed bitangents then come to
-// their rows in ascending order, too, and nothing has to be sorted.
+// First the side at the source of each arc, row by row. Then the arcs themselves: as the rows ascend, the
+// arcs back to a vertex come in the order of its own row, so a counter a row finds the other side and
+// nothing is searched or sorted.
 std::vector<FreeBitangent> free_bitangents(const Scene2& scene,
                                            const VisibilityGraph& tangent_graph,
                                            const FreeBitangentOptions& options) {
     SIGHTLINE_EXPECT(tangent_graph.vertex_count() == scene.vertex_count());
     const detail::Contacts contacts(scene);
     const auto n = static_cast<std::uint32_t>(scene.vertex_count());
-    std::vector<std::size_t> next(n + 1, 0);
-    for (std::uint32_t v = 0; v < n; ++v)
-        next[v + 1] = next[v] + tangent_graph.neighbours({v}).size();
-    std::vector<FreeBitangent> found(next[n]);
+    std::vector<Side> sides;
+    sides.reserve(2 * tangent_graph.edge_count());
+    std::vector<std::size_t> next;
+    next.reserve(n);
     for (VertexId v{0}; v.value < n; ++v.value) {
-        const auto row = tangent_graph.neighbours(v);
-        for (auto w = std::upper_bound(row.begin(), row.end(), v); w != row.end(); ++w) {
-            const Bitangent b = contacts.bitangent(v, *w);
-            found[next[v.index()]++] = b;
-            found[next[w->index()]++] = reversed(b);
-        }
+        next.push_back(sides.size());
+        for (const VertexId w : tangent_graph.neighbours(v))
+            sides.push_back(contacts.side(scene[v], scene[w], v));
     }
-    if (!options.one_body) {
-        std::erase_if(found, [&](const Bitangent& b) {
-            return contacts.owner(b.source) == contacts.owner(b.target);
-        });
+    std::vector<FreeBitangent> found;
+    found.reserve(sides.size());
+    auto side = sides.begin();
+    for (VertexId v{0}; v.value < n; ++v.value) {
+        for (const VertexId w : tangent_graph.neighbours(v)) {
+            const Side at_source = *side++;
+            const Side at_target = reversed(sides[next[w.index()]++]);
+            if (!options.one_body && contacts.owner(v) == contacts.owner(w)) continue;
+            found.push_back({contacts.body(v), contacts.body(w), at_source, at_target, v, w});
+        }
     }
     return found;
 }

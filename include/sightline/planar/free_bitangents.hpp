@@ -32,7 +32,7 @@ struct FreeBitangentOptions {
 ///   free and contains no scene vertex.
 /// - A body edge is one of them when it is locally tangent at both ends: convex at both.
 ///
-/// Cost: the tangent graph, and 4 orientations for each of its edges. 24 bytes a direction.
+/// Cost: the tangent graph, and 4 orientations for each of its edges. 20 bytes a direction.
 [[nodiscard]] std::vector<FreeBitangent> free_bitangents(const Scene2& scene,
                                                          const FreeBitangentOptions& options = {});
 
