@@ -18,16 +18,26 @@
 #include "cli/program.hpp"
 #include "sightline/reference/visibility_graph.hpp"
 #include "sightline/scene/families.hpp"
+#include "sightline/scene/repair2.hpp"
+#include "sightline/scene/scene_io.hpp"
 #include "sightline/scene/transform2.hpp"
 
 namespace sightline::detail {
 namespace {
 
 struct TortureArguments {
+    std::vector<std::string> files;
+    bool world = false;
     std::vector<std::string> families;
     std::uint64_t seed = 1;
     std::size_t sample = 12;
     std::string output;
+};
+
+/// What is tortured: a family or a file.
+struct Source {
+    std::string name;
+    bool is_file = false;
 };
 
 struct NamedTransform {
@@ -59,9 +69,10 @@ struct Outcome {
 /// One scene of the battery. It is worked on in a process of its own, which may crash, as doubles
 /// may lead anything astray.
 struct Case {
-    std::size_t family = 0;
+    std::size_t source = 0;
     std::size_t transform = 0;
-    bool is_invalid = false;  ///< rounding made bodies overlap or the like: no scene to try
+    bool is_invalid = false;  ///< rounding made bodies overlap or the like, beyond repair
+    bool is_repaired = false;
     bool is_compared = false;
     std::size_t vertices = 0;
     std::size_t rows = 0;
@@ -84,17 +95,30 @@ Outcome outcome_of(const Scene2& scene, Arithmetic arithmetic, std::span<const V
     return outcome;
 }
 
-Result<Scene2> scene_of(const Case& one, const TortureArguments& arguments) {
-    const families::FamilyInfo& family = families::all2()[one.family];
-    Result<SceneInput2> input = families::generate2(family.name, {}, arguments.seed);
+Result<SceneInput2> input_of(const Source& source, const TortureArguments& arguments) {
+    if (!source.is_file) return families::generate2(source.name, {}, arguments.seed);
+    ReadOptions options;
+    options.world = arguments.world;
+    return read_input(source.name, options);
+}
+
+/// The scene, repaired when rounding made bodies overlap.
+Result<Scene2> scene_of(Case& one, const Source& source, const TortureArguments& arguments) {
+    Result<SceneInput2> input = input_of(source, arguments);
     const auto transform = transforms(arguments.seed)[one.transform].transform;
     if (input && transform) input = families::transformed(*input, *transform);
     if (!input) return tl::unexpected(input.error());
-    return Scene2::make(*input);
+    Result<Scene2> scene = Scene2::make(*input);
+    if (scene) return scene;
+    one.is_invalid = true;  // and stays so, should the repair end this process
+    Result<RepairedScene2> repaired = repair(*input);
+    if (!repaired) return scene;
+    one.is_repaired = true;
+    return std::move(repaired->scene);
 }
 
-void work(Case& one, const TortureArguments& arguments) {
-    const Result<Scene2> scene = scene_of(one, arguments);
+void work(Case& one, const Source& source, const TortureArguments& arguments) {
+    const Result<Scene2> scene = scene_of(one, source, arguments);
     one.is_invalid = !scene;
     if (!scene) return;
     one.vertices = scene->vertex_count();
@@ -127,16 +151,16 @@ private:
 };
 
 /// Starts a process for one case; its end, of whatever kind, leaves what it had found.
-pid_t start(Case& one, const TortureArguments& arguments) {
+pid_t start(Case& one, const Source& source, const TortureArguments& arguments) {
     const pid_t parent = ::getpid();
     const pid_t process = ::fork();
     if (process != 0) return process;
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(1);
-    constexpr unsigned patience = 60;  // doubles may also go round in circles
+    constexpr unsigned patience = 300;  // doubles may also go round in circles
     ::alarm(patience);
     try {
-        work(one, arguments);
+        work(one, source, arguments);
     } catch (const std::exception&) {
         ::_exit(1);
     }
@@ -144,14 +168,16 @@ pid_t start(Case& one, const TortureArguments& arguments) {
 }
 
 /// Returns how many came to their end before the time was over.
-std::size_t run_cases(std::span<Case> cases, const TortureArguments& arguments, Session& session) {
+std::size_t run_cases(std::span<Case> cases, std::span<const Source> sources,
+                      const TortureArguments& arguments, Session& session) {
     unsigned room = session.common().threads;
     if (room == 0) room = std::max(1U, std::thread::hardware_concurrency());
     std::size_t started = 0;
     std::size_t finished = 0;
     while (finished < cases.size()) {
         if (started < cases.size() && started - finished < room && !session.is_over()) {
-            if (start(cases[started], arguments) < 0) throw std::bad_alloc();
+            Case& next = cases[started];
+            if (start(next, sources[next.source], arguments) < 0) throw std::bad_alloc();
             ++started;
             continue;
         }
@@ -181,8 +207,10 @@ TierCounts total(const Tally& tally) {
     return sum;
 }
 
-std::string row_of(const Case& one, std::span<const NamedTransform> names) {
-    const std::string_view family = families::all2()[one.family].name;
+std::string row_of(const Case& one, std::span<const Source> sources,
+                   std::span<const NamedTransform> names) {
+    const std::string& name = sources[one.source].name;
+    const std::string family = name.substr(name.rfind('/') + 1);
     // A degree sign is one column and two bytes.
     const std::string transform = names[one.transform].name;
     const std::size_t width = transform.find("°") == std::string::npos ? 14 : 15;
@@ -190,9 +218,9 @@ std::string row_of(const Case& one, std::span<const NamedTransform> names) {
     if (one.is_invalid) return head + "  no valid scene after rounding\n";
     if (!one.is_compared) return head + "  the reference did not finish\n";
     const TierCounts tiers = total(one.filtered.tally);
-    return head + fmt::format(" {:>8} {:>5} {} |{} | {:>9} {:>8} {:>7}\n", one.vertices, one.rows,
+    return head + fmt::format(" {:>8} {:>5} {} |{} | {:>9} {:>8} {:>7}{}\n", one.vertices, one.rows,
                               cell(one.filtered), cell(one.in_doubles), tiers.filter,
-                              tiers.interval, tiers.exact);
+                              tiers.interval, tiers.exact, one.is_repaired ? "  repaired" : "");
 }
 
 struct Summary {
@@ -221,16 +249,17 @@ Summary summary_of(std::span<const Case> cases) {
     return sum;
 }
 
-std::string table_of(std::span<const Case> cases, std::uint64_t seed) {
+std::string table_of(std::span<const Case> cases, std::span<const Source> sources,
+                     std::uint64_t seed) {
     const auto names = transforms(seed);
     std::string text = fmt::format("{:<33} {:>8} {:>5} {:>23} |{:>23} | {}\n", "", "", "",
                                    "filtered       ", "double         ", "filtered decided by");
     text += fmt::format(
         "{:<18} {:<14} {:>8} {:>5} {:>7} {:>7} {:>7} |{:>7} {:>7} {:>7} | {:>9} "
         "{:>8} {:>7}\n",
-        "family", "transform", "vertices", "rows", "false", "missed", "", "false", "missed", "",
+        "scene", "transform", "vertices", "rows", "false", "missed", "", "false", "missed", "",
         "filter", "interval", "exact");
-    for (const Case& one : cases) text += row_of(one, names);
+    for (const Case& one : cases) text += row_of(one, sources, names);
     const Summary sum = summary_of(cases);
     text += fmt::format(
         "{} scenes compared with the reference (seed {}): filtered wrong on {}; double wrong on "
@@ -255,16 +284,18 @@ void write_outcome(JsonWriter& json, const char* name, const Outcome& outcome) {
     json.end();
 }
 
-void write_cases(JsonWriter& json, std::span<const Case> cases, std::uint64_t seed) {
+void write_cases(JsonWriter& json, std::span<const Case> cases, std::span<const Source> sources,
+                 std::uint64_t seed) {
     const auto names = transforms(seed);
     json.begin_object();
     json.key("rows");
     json.begin_array();
     for (const Case& one : cases) {
         json.begin_object(JsonWriter::Layout::inline_);
-        json.member("family", families::all2()[one.family].name);
+        json.member(sources[one.source].is_file ? "file" : "family", sources[one.source].name);
         json.member("transform", names[one.transform].name);
         json.member("valid", !one.is_invalid);
+        json.member("repaired", one.is_repaired);
         json.member("vertices", one.vertices);
         json.member("rows", one.rows);
         if (one.is_compared) {
@@ -277,53 +308,57 @@ void write_cases(JsonWriter& json, std::span<const Case> cases, std::uint64_t se
     json.end();
 }
 
-/// The numbers of the families that are asked for; all when none is.
-Result<std::vector<std::size_t>> chosen_families(const TortureArguments& arguments) {
-    std::vector<std::size_t> chosen;
-    const auto all = families::all2();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto& names = arguments.families;
-        if (names.empty() || std::find(names.begin(), names.end(), all[i].name) != names.end()) {
-            chosen.push_back(i);
-        }
+/// The files and families that are asked for; all families when nothing is.
+Result<std::vector<Source>> sources_of(const TortureArguments& arguments) {
+    std::vector<Source> sources;
+    for (const std::string& file : arguments.files) sources.push_back({file, true});
+    for (const std::string& family : arguments.families) sources.push_back({family, false});
+    for (const Source& source : sources) {
+        const Result<SceneInput2> input = input_of(source, arguments);
+        if (!input) return tl::unexpected(input.error());
     }
-    for (const std::string& name : arguments.families) {
-        const auto known = families::generate2(name, {}, arguments.seed);
-        if (!known) return tl::unexpected(known.error());
+    if (!sources.empty()) return sources;
+    for (const families::FamilyInfo& family : families::all2()) {
+        sources.push_back({std::string(family.name), false});
     }
-    return chosen;
+    return sources;
+}
+
+Result<void> write_document(const TortureArguments& arguments, std::span<const Case> cases,
+                            std::span<const Source> sources, bool is_complete, Session& session) {
+    Document document;
+    document.kind = "torture";
+    document.options["seed"] = arguments.seed;
+    document.options["sample"] = arguments.sample;
+    document.complete = is_complete;
+    document.result = [&](JsonWriter& json) { write_cases(json, cases, sources, arguments.seed); };
+    OutputArguments outputs;
+    outputs.json = arguments.output;
+    return write_outputs(outputs, document, session);
 }
 
 Result<ExitStatus> run_torture(const TortureArguments& arguments, Session& session) {
     if (!arguments.output.empty()) {
-        const auto checked = OutputSet::check(std::span(&arguments.output, 1), {});
+        const auto checked = OutputSet::check(std::span(&arguments.output, 1), arguments.files);
         if (!checked) return tl::unexpected(checked.error());
     }
-    const auto chosen = chosen_families(arguments);
-    if (!chosen) return tl::unexpected(chosen.error());
+    const auto sources = sources_of(arguments);
+    if (!sources) return tl::unexpected(sources.error());
     const std::size_t kinds = transforms(arguments.seed).size();
-    const SharedCases shared(chosen->size() * kinds);
+    const SharedCases shared(sources->size() * kinds);
     const std::span<Case> cases = shared.all();
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        cases[i].family = (*chosen)[i / kinds];
+        cases[i].source = i / kinds;
         cases[i].transform = i % kinds;
     }
     session.keep_from_now_on();
-    const std::size_t finished =
-        session.timed("build", "torturing", [&] { return run_cases(cases, arguments, session); });
+    const std::size_t finished = session.timed(
+        "build", "torturing", [&] { return run_cases(cases, *sources, arguments, session); });
     const Summary sum = summary_of(cases);
     const bool is_complete = finished == cases.size();
-    std::cout << table_of(cases, arguments.seed) << std::flush;
+    std::cout << table_of(cases, *sources, arguments.seed) << std::flush;
     if (!arguments.output.empty()) {
-        Document document;
-        document.kind = "torture";
-        document.options["seed"] = arguments.seed;
-        document.options["sample"] = arguments.sample;
-        document.complete = is_complete;
-        document.result = [&](JsonWriter& json) { write_cases(json, cases, arguments.seed); };
-        OutputArguments outputs;
-        outputs.json = arguments.output;
-        const auto written = write_outputs(outputs, document, session);
+        const auto written = write_document(arguments, cases, *sources, is_complete, session);
         if (!written) return tl::unexpected(written.error());
     }
     if (!is_complete) return fail(Errc::limit_reached, session.limit_message());
@@ -339,6 +374,10 @@ void add_torture(Program& program) {
         "torture", "the degeneracy battery: families, turned, scaled, shifted and nudged",
         "sightline torture --seed 7 -o torture.json",
         [arguments](Session& session) { return run_torture(*arguments, session); });
+    app.add_option("SCENE", arguments->files, "files to torture instead of the families")
+        ->type_name("");
+    app.add_flag("--world", arguments->world,
+                 "of the files: the first polygon is the free world, its holes are bodies");
     app.add_option("--family", arguments->families, "only this family; repeatable")
         ->type_name("NAME")
         ->take_all()

@@ -2,6 +2,7 @@
 """generate → info → graph → check, render, and what check finds."""
 
 import json
+import re
 
 import pytest
 from program import load, run
@@ -151,3 +152,46 @@ def test_torture(folder):
     assert all(row["filtered"]["false"] == row["filtered"]["missed"] == 0 for row in compared)
     assert all(row["filtered"]["filter"] > 0 for row in compared)
     assert "filtered wrong on 0;" in finished.out.splitlines()[-1] + finished.out.splitlines()[-2]
+
+
+def test_torture_of_files(folder):
+    run("generate", "floor-plan", 4, 4, "-o", "plan.wkt")
+    finished = run("torture", "plan.wkt", "--world", "-o", "torture.json", "--sample", 1000)
+    assert finished.status == 0
+    rows = load("torture.json")["result"]["rows"]
+    assert {row["file"] for row in rows} == {"plan.wkt"}
+    # Every row of the graph is compared: as many as there are vertices.
+    assert all(row["rows"] == row["vertices"] > 0 for row in rows if row["valid"])
+    assert sum(row["filtered"]["exact"] for row in rows if row["valid"]) > 0
+
+
+def test_repair(folder):
+    (folder / "overlap.scene").write_text("polygon 0 0, 2 0, 2 2, 0 2\npolygon 1 1, 3 1, 3 3, 1 3\n")
+    assert run("graph", "overlap.scene").status == 2
+    finished = run("graph", "overlap.scene", "--repair", "-o", "graph.json")
+    assert finished.status == 0 and finished.err.startswith("repair: ")
+    document = load("graph.json")
+    assert document["scene"]["bodies"] == 1 and document["options"]["repair"] is True
+    run("info", "overlap.scene", "--repair", "-o", "info.json")
+    assert len(load("info.json")["result"]["repairs"]) == 1
+    assert run("check", "graph.json", "overlap.scene").status == 0
+
+
+def test_the_whole_battery(folder):
+    finished = run("torture", "--sample", 4)
+    assert finished.status == 0
+    counts = re.search(r"(\d+) scenes compared .* filtered wrong on 0; double wrong on (\d+),", finished.out)
+    # It bites: doubles fail where filtered arithmetic does not.
+    assert int(counts[1]) > 300 and int(counts[2]) > 10
+
+
+def test_png(folder):
+    finished = run("render", "boxes.scene", "--png", "boxes.png")
+    if "built without VTK" in finished.err:
+        assert finished.status == 2
+        assert run("show", "boxes.scene").err == ("sightline: this program was built without VTK; write --svg with "
+                                                  "render instead\n")
+        return
+    assert finished.status == 0, finished.err
+    assert (folder / "boxes.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+    assert sorted(p.name for p in folder.iterdir()) == ["boxes.png", "boxes.scene"]
