@@ -9,8 +9,9 @@
 
 namespace sightline::detail {
 
-Triangulation::Triangulation(const Scene2& scene, std::span<const Point2> within) {
-    TriangulationBuilder(*this, scene, within).build();
+Triangulation::Triangulation(const Scene2& scene, std::span<const Point2> within,
+                             unsigned threads) {
+    TriangulationBuilder(*this, scene, within).build(threads);
 }
 
 bool Triangulation::is_on_exact_grid(const Point2& p) const noexcept {

@@ -13,14 +13,14 @@
 /// The constrained triangulation under every planar structure. Private to lib/planar.
 namespace sightline::detail {
 
-/// A location of the triangulation: a corner of the frame, a place where scene vertices lie, or a
+/// A location of the triangulation: one of the frame, a place where scene vertices lie, or a
 /// constructed point (two walls cross there, or a query point that is no double).
 using Place = std::uint32_t;
 /// Half-edge 4 t + i is the edge from corner i to corner i + 1 (mod 3) of triangle t, t on its left.
 using HalfEdge = std::uint32_t;
 
 inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
-inline constexpr Place frame_places = 4;
+inline constexpr Place frame_places = 6;
 
 [[nodiscard]] constexpr HalfEdge next(HalfEdge h) noexcept {
     return (h & 3U) == 2U ? h - 2 : h + 1;
@@ -33,14 +33,14 @@ inline constexpr Place frame_places = 4;
 /// (orientation), nearly Delaunay for speed (the in-circle test is a certified filter: it may leave an
 /// edge unflipped, never flips one wrongly, so flipping ends).
 ///
-/// Places: 0…3 the frame, then the scene's places along a space-filling curve, then constructed ones.
+/// Places: 0…3 the frame's corners, 4 and 5 on its lower and upper side, then the scene's places along a space-filling curve, then constructed ones.
 /// Every triangle is free or part of B; an edge can be crossed when it is no wall and both its triangles
 /// are free.
 class Triangulation {
 public:
     explicit Triangulation(const Scene2& scene) : Triangulation(scene, {}) {}
     /// With a frame that also surrounds the points of `within`.
-    Triangulation(const Scene2& scene, std::span<const Point2> within);
+    Triangulation(const Scene2& scene, std::span<const Point2> within, unsigned threads = 1);
 
     // --- places
     [[nodiscard]] std::size_t place_count() const noexcept { return position_.size(); }
@@ -77,7 +77,7 @@ public:
     [[nodiscard]] Place apex(HalfEdge h) const noexcept { return origin_[prev(h)]; }
     /// The same edge seen from the other side, or no_index on the frame.
     [[nodiscard]] HalfEdge twin(HalfEdge h) const noexcept { return twin_[h]; }
-    /// A half-edge that starts at p; round a corner of the frame, the clockwise-most one.
+    /// A half-edge that starts at p; round one of the frame, the clockwise-most one.
     [[nodiscard]] HalfEdge leaving(Place p) const noexcept { return leaving_[p]; }
     /// Whether the triangle of h lies outside B.
     [[nodiscard]] bool is_free(HalfEdge h) const noexcept { return solid_[h >> 2U] == 0; }
@@ -117,6 +117,7 @@ public:
 
 private:
     friend class TriangulationBuilder;
+    friend class Delaunay;
     static constexpr std::uint8_t boundary_bit = 1;
     static constexpr std::uint8_t wall_bit = 2;
 

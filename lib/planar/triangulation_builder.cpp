@@ -1,201 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Delaunay step: incremental insertion in curve order, located by walking from the last triangle.
+// The order of the steps, and the Delaunay step: both halves of the frame at once when threads allow.
 #include "planar/triangulation_builder.hpp"
 
-#include <cfloat>
-#include <cmath>
+#include <tbb/parallel_invoke.h>
+
+#include "planar/delaunay.hpp"
 
 namespace sightline::detail {
 
-void TriangulationBuilder::build() {
+void TriangulationBuilder::build(unsigned threads) {
     make_frame();
     make_places();
+    split_frame();
     measure_precision();
     make_first_triangles();
-    insert_places();
+    insert_places(threads);
     insert_edges();
     label();
 }
 
-HalfEdge TriangulationBuilder::add_triangle() {
-    const std::size_t h = t_.origin_.size();
-    t_.origin_.resize(h + 4, no_index);
-    t_.twin_.resize(h + 4, no_index);
-    t_.kind_.resize(h + 4, 0);
-    return static_cast<HalfEdge>(h);
-}
-
+// Two rectangles, left and right of the places 4 and 5, of two triangles each; not linked yet. A rectangle
+// and what will be inserted there take consecutive slots.
 void TriangulationBuilder::make_first_triangles() {
-    const std::size_t triangles = 2 * t_.position_.size() + 8;
-    t_.origin_.reserve(4 * triangles);
-    t_.twin_.reserve(4 * triangles);
-    t_.kind_.reserve(4 * triangles);
+    const std::size_t slots = 4 * (4 + 2 * (t_.position_.size() - frame_places));
+    t_.origin_.resize(slots, no_index);
+    t_.twin_.resize(slots, no_index);
+    t_.kind_.resize(slots, 0);
     t_.leaving_.resize(t_.position_.size(), no_index);
-    const HalfEdge a = add_triangle();
-    const HalfEdge b = add_triangle();
-    const auto set = [&](HalfEdge h, Place p, Place q, Place r) {
-        t_.origin_[h] = p;
-        t_.origin_[h + 1] = q;
-        t_.origin_[h + 2] = r;
+    right_slots_ = 4 * (2 + 2 * (first_right_ - frame_places));
+    const auto rectangle = [&](HalfEdge slot, Place p, Place q, Place r, Place s) {
+        const Place corners[2][3] = {{p, q, r}, {r, s, p}};
+        for (HalfEdge i = 0; i < 6; ++i)
+            t_.origin_[slot + 4 * (i / 3) + i % 3] = corners[i / 3][i % 3];
+        t_.twin_[slot + 2] = slot + 6;
+        t_.twin_[slot + 6] = slot + 2;
     };
-    set(a, 0, 1, 2);
-    set(b, 2, 3, 0);
-    link(a + 2, b + 2);
+    rectangle(0, 0, 4, 5, 3);
+    rectangle(right_slots_, 4, 1, 2, 5);
 }
 
-void TriangulationBuilder::insert_places() {
-    HalfEdge last = 0;
-    for (Place p = frame_places; p < t_.first_constructed_; ++p) last = insert(p, last);
-    for (HalfEdge h = 0; h < t_.origin_.size(); ++h)
-        if ((h & 3U) != 3U) t_.leaving_[t_.origin_[h]] = h;
-}
-
-// A half-edge whose triangle contains p in its closure. Visibility walk; the order of the two tests
-// alternates pseudo-randomly, which ends the walk in any triangulation with probability 1.
-HalfEdge TriangulationBuilder::locate(Place p, HalfEdge start) {
-    HalfEdge h = start;
-    if (side(h, p) == Sign::negative) h = t_.twin_[h];
-    while (true) {
-        turn_ = turn_ * 1664525U + 1013904223U;
-        const bool swap = (turn_ & 0x80000000U) != 0;
-        const HalfEdge first = swap ? prev(h) : next(h);
-        const HalfEdge second = swap ? next(h) : prev(h);
-        if (side(first, p) == Sign::negative)
-            h = t_.twin_[first];
-        else if (side(second, p) == Sign::negative)
-            h = t_.twin_[second];
-        else
-            return h;
+void TriangulationBuilder::insert_places(unsigned threads) {
+    const auto left = [&] { Delaunay(t_, 8).insert(frame_places, first_right_, 0); };
+    const auto right = [&] {
+        Delaunay(t_, right_slots_ + 8).insert(first_right_, t_.first_constructed_, right_slots_);
+    };
+    if (threads > 1) {
+        tbb::parallel_invoke(left, right);
+    } else {
+        left();
+        right();
     }
-}
-
-HalfEdge TriangulationBuilder::insert(Place p, HalfEdge start) {
-    const HalfEdge h = locate(p, start);
-    for (const HalfEdge e : {h, next(h), prev(h)}) {
-        if (side(e, p) != Sign::zero) continue;
-        insert_on_edge(p, e);
-        restore_delaunay();
-        return e;
+    HalfEdge from_left = no_index;
+    HalfEdge from_right = no_index;
+    for (HalfEdge h = 0; h < t_.origin_.size(); ++h) {
+        if ((h & 3U) == 3U) continue;
+        const Place p = t_.origin_[h];
+        t_.leaving_[p] = h;
+        if (p == 4 && t_.origin_[next(h)] == 5) from_left = h;
+        if (p == 5 && t_.origin_[next(h)] == 4) from_right = h;
     }
-    insert_in_triangle(p, h);
-    restore_delaunay();
-    return h;
-}
-
-void TriangulationBuilder::insert_in_triangle(Place p, HalfEdge h) {
-    const HalfEdge n = next(h);
-    const HalfEdge v = prev(h);
-    const Place a = t_.origin_[h];
-    const Place b = t_.origin_[n];
-    const Place c = t_.origin_[v];
-    const HalfEdge twin_n = t_.twin_[n];
-    const HalfEdge twin_v = t_.twin_[v];
-    const HalfEdge s = add_triangle();  // b c p
-    const HalfEdge u = add_triangle();  // c a p
-    t_.origin_[s] = b;
-    t_.origin_[s + 1] = c;
-    t_.origin_[s + 2] = p;
-    t_.origin_[u] = c;
-    t_.origin_[u + 1] = a;
-    t_.origin_[u + 2] = p;
-    t_.origin_[v] = p;  // h: a b p
-    link(s, twin_n);
-    link(u, twin_v);
-    link(n, s + 2);
-    link(s + 1, u + 2);
-    link(u + 1, v);
-    static_cast<void>(a);
-    pending_.insert(pending_.end(), {h, s, u});
-}
-
-// p lies on the edge of h; both triangles are halved, kinds of the two halves of the edge are kept.
-void TriangulationBuilder::insert_on_edge(Place p, HalfEdge h) {
-    const HalfEdge g = t_.twin_[h];
-    const HalfEdge hn = next(h);
-    const HalfEdge gp = prev(g);
-    const Place b = t_.origin_[hn];
-    const Place c = t_.origin_[prev(h)];
-    const Place d = t_.origin_[gp];
-    const HalfEdge twin_hn = t_.twin_[hn];
-    const HalfEdge twin_gp = t_.twin_[gp];
-    const HalfEdge s = add_triangle();  // p b c
-    const HalfEdge u = add_triangle();  // b p d
-    t_.origin_[s] = p;
-    t_.origin_[s + 1] = b;
-    t_.origin_[s + 2] = c;
-    t_.origin_[u] = b;
-    t_.origin_[u + 1] = p;
-    t_.origin_[u + 2] = d;
-    t_.kind_[s] = t_.kind_[u] = t_.kind_[h];
-    t_.kind_[s + 1] = t_.kind_[hn];
-    t_.kind_[u + 2] = t_.kind_[gp];
-    t_.kind_[hn] = t_.kind_[gp] = 0;
-    t_.origin_[hn] = p;  // h: a p c
-    t_.origin_[g] = p;   // g: p a d
-    link(s, u);
-    link(s + 1, twin_hn);
-    link(s + 2, hn);
-    link(u + 2, twin_gp);
-    link(u + 1, gp);
-    pending_.insert(pending_.end(), {prev(h), s + 1, u + 2, next(g)});
-}
-
-void TriangulationBuilder::restore_delaunay() {
-    while (!pending_.empty()) {
-        const HalfEdge e = pending_.back();
-        pending_.pop_back();
-        const HalfEdge g = t_.twin_[e];
-        if (g == no_index || !is_certainly_in_circle(e)) continue;
-        flip(e);
-        pending_.push_back(e);
-        pending_.push_back(prev(g));
-    }
-}
-
-// Before: e = a→b with apex p, its twin g = b→a with apex o. After: e = a→o and prev(g) = o→b both
-// have apex p.
-void TriangulationBuilder::flip(HalfEdge e) {
-    const HalfEdge g = t_.twin_[e];
-    const HalfEdge en = next(e);
-    const HalfEdge gn = next(g);
-    const Place a = t_.origin_[e];
-    const Place b = t_.origin_[g];
-    const HalfEdge x = t_.twin_[gn];
-    const HalfEdge y = t_.twin_[en];
-    t_.origin_[en] = t_.origin_[prev(g)];
-    t_.origin_[gn] = t_.origin_[prev(e)];
-    t_.kind_[e] = t_.kind_[gn];
-    t_.kind_[g] = t_.kind_[en];
-    t_.kind_[en] = t_.kind_[gn] = 0;
-    link(e, x);
-    link(g, y);
-    link(en, gn);
-    t_.leaving_[a] = e;
-    t_.leaving_[b] = g;
-}
-
-// Whether the apex beyond e lies inside the circle of e's triangle, beyond doubt. The bound is
-// Shewchuk's for this formula ("Adaptive precision floating-point arithmetic", 1997, section 4.4).
-bool TriangulationBuilder::is_certainly_in_circle(HalfEdge e) const {
-    constexpr double u = DBL_EPSILON / 2;
-    constexpr double bound = (10 + 96 * u) * u;
-    const Point2& d = t_.position_[t_.origin_[prev(t_.twin_[e])]];
-    const Point2& a = t_.position_[t_.origin_[e]];
-    const Point2& b = t_.position_[t_.origin_[next(e)]];
-    const Point2& c = t_.position_[t_.origin_[prev(e)]];
-    const double ax = a.x - d.x, ay = a.y - d.y;
-    const double bx = b.x - d.x, by = b.y - d.y;
-    const double cx = c.x - d.x, cy = c.y - d.y;
-    const double bc = bx * cy, cb = cx * by;
-    const double ca = cx * ay, ac = ax * cy;
-    const double ab = ax * by, ba = bx * ay;
-    const double al = ax * ax + ay * ay;
-    const double bl = bx * bx + by * by;
-    const double cl = cx * cx + cy * cy;
-    const double det = al * (bc - cb) + bl * (ca - ac) + cl * (ab - ba);
-    const double size = (std::fabs(bc) + std::fabs(cb)) * al +
-                        (std::fabs(ca) + std::fabs(ac)) * bl + (std::fabs(ab) + std::fabs(ba)) * cl;
-    return det > bound * size && det < DBL_MAX && size > 0x1p-900;
+    delaunay_.link(from_left, from_right);
+    delaunay_.restore({from_left});
 }
 
 }  // namespace sightline::detail

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planar/triangulation.hpp"
+#include "planar/delaunay.hpp"
 
 namespace sightline::detail {
 
@@ -13,31 +13,17 @@ class TriangulationBuilder {
 public:
     TriangulationBuilder(Triangulation& out, const Scene2& scene, std::span<const Point2> within)
         : t_(out), scene_(scene), within_(within) {}
-    void build();
+    void build(unsigned threads);
 
 private:
     // places
     void make_frame();
     void make_places();
     void measure_precision();
+    void split_frame();
     // Delaunay
     void make_first_triangles();
-    void insert_places();
-    [[nodiscard]] HalfEdge locate(Place p, HalfEdge start);
-    HalfEdge insert(Place p, HalfEdge start);
-    void insert_in_triangle(Place p, HalfEdge h);
-    void insert_on_edge(Place p, HalfEdge h);
-    void restore_delaunay();
-    void flip(HalfEdge e);
-    [[nodiscard]] bool is_certainly_in_circle(HalfEdge e) const;
-    HalfEdge add_triangle();
-    void link(HalfEdge a, HalfEdge b) {
-        t_.twin_[a] = b;
-        if (b != no_index) t_.twin_[b] = a;
-    }
-    [[nodiscard]] Sign side(HalfEdge h, Place p) const {
-        return t_.orientation(t_.origin_[h], t_.origin_[next(h)], p);
-    }
+    void insert_places(unsigned threads);
     // constraints
     void insert_edges();
     void insert_edge(Place a, Place b, std::uint8_t kind);
@@ -59,8 +45,11 @@ private:
     Triangulation& t_;
     const Scene2& scene_;
     std::span<const Point2> within_;
+    Delaunay delaunay_{t_};
+    Place first_right_ = 0;                 ///< the first place in the right half of the frame
+    HalfEdge right_slots_ = 0;              ///< the first triangle of the right half
+    std::vector<std::uint32_t> curve_key_;  // a scene place
     std::vector<HalfEdge> pending_;
-    std::uint32_t turn_ = 0;
 };
 
 }  // namespace sightline::detail

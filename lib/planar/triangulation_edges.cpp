@@ -102,8 +102,7 @@ Place TriangulationBuilder::split_crossing(Place a, Place b, HalfEdge crossed) {
     t_.leaving_.push_back(no_index);
     const std::size_t before = t_.origin_.size();
     const HalfEdge g = t_.twin_[crossed];
-    insert_on_edge(place, crossed);
-    pending_.clear();  // the in-circle filter needs double coordinates
+    delaunay_.insert_on_edge(place, crossed);  // the in-circle filter would need double coordinates
     for (const HalfEdge base :
          {crossed & ~3U, g & ~3U, static_cast<HalfEdge>(before), static_cast<HalfEdge>(before + 4)})
         for (HalfEdge h = base; h < base + 3; ++h) t_.leaving_[t_.origin_[h]] = h;
@@ -132,7 +131,10 @@ void TriangulationBuilder::flip_away(Place a, Place b, std::vector<std::pair<Pla
             queue.emplace_back(p, q);
             continue;
         }
-        flip(h);
+        const HalfEdge g = t_.twin_[h];
+        delaunay_.flip(h);
+        t_.leaving_[t_.origin_[h]] = h;
+        t_.leaving_[t_.origin_[g]] = g;
         const HalfEdge diagonal = next(h);
         const Place u = t_.origin_[diagonal];
         const Place v = t_.origin_[next(diagonal)];
@@ -147,19 +149,9 @@ void TriangulationBuilder::flip_away(Place a, Place b, std::vector<std::pair<Pla
 }
 
 void TriangulationBuilder::improve(const std::vector<std::pair<Place, Place>>& edges) {
-    for (const auto& [u, v] : edges) {
-        const HalfEdge h = find(u, v);
-        if (h == no_index || t_.kind_[h] != 0 || t_.has_constructed()) continue;
-        pending_.assign({h});
-        while (!pending_.empty()) {
-            const HalfEdge e = pending_.back();
-            pending_.pop_back();
-            const HalfEdge g = t_.twin_[e];
-            if (g == no_index || t_.kind_[e] != 0 || !is_certainly_in_circle(e)) continue;
-            flip(e);
-            pending_.insert(pending_.end(), {e, prev(e), g, prev(g)});
-        }
-    }
+    if (t_.has_constructed()) return;
+    for (const auto& [u, v] : edges)
+        if (const HalfEdge h = find(u, v); h != no_index) delaunay_.restore({h});
 }
 
 void TriangulationBuilder::label() {

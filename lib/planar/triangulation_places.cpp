@@ -53,13 +53,15 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
 // Vertices by Hilbert key of their position; equal positions are neighbours, ids ascending.
 std::vector<std::uint64_t> hilbert_order(std::span<const Point2> points, const Box& box) {
     // Scaled before subtracting: the extent of the box may overflow.
-    const double size = std::max({box.x1 / 2 - box.x0 / 2, box.y1 / 2 - box.y0 / 2, DBL_MIN});
+    const double width = std::max(box.x1 / 2 - box.x0 / 2, DBL_MIN);
+    const double height = std::max(box.y1 / 2 - box.y0 / 2, DBL_MIN);
     std::vector<std::uint64_t> order(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto cell = [&](double v, double low) {
+        const auto cell = [](double v, double low, double size) {
             return static_cast<std::uint32_t>((v / 2 - low / 2) / size * 65535.0);
         };
-        const std::uint64_t key = hilbert_key(cell(points[i].x, box.x0), cell(points[i].y, box.y0));
+        const std::uint64_t key =
+            hilbert_key(cell(points[i].x, box.x0, width), cell(points[i].y, box.y0, height));
         order[i] = key << 32U | i;
     }
     std::sort(order.begin(), order.end());
@@ -101,7 +103,9 @@ void TriangulationBuilder::make_frame() {
     t_.position_ = {{down(b.x0), down(b.y0)},
                     {up(b.x1), down(b.y0)},
                     {up(b.x1), up(b.y1)},
-                    {down(b.x0), up(b.y1)}};
+                    {down(b.x0), up(b.y1)},
+                    {},  // 4 and 5: split_frame
+                    {}};
 }
 
 void TriangulationBuilder::make_places() {
@@ -115,12 +119,39 @@ void TriangulationBuilder::make_places() {
         if (t_.vertices_at_.empty() || points[v] != points[t_.vertices_at_.back().index()]) {
             t_.first_vertex_.push_back(static_cast<std::uint32_t>(t_.vertices_at_.size()));
             t_.position_.push_back(points[v]);
+            curve_key_.push_back(static_cast<std::uint32_t>(entry >> 32U));
         }
         t_.place_of_[v] = static_cast<Place>(t_.position_.size() - 1);
         t_.vertices_at_.push_back(VertexId{v});
     }
     t_.first_vertex_.push_back(static_cast<std::uint32_t>(t_.vertices_at_.size()));
     t_.first_constructed_ = static_cast<Place>(t_.position_.size());
+}
+
+// The frame is cut at some x strictly between the places of the two halves of the Hilbert curve, which
+// are its left and right half; or, when no double lies between, at the very left with all places right.
+void TriangulationBuilder::split_frame() {
+    const auto left_half = [&](Place p) { return curve_key_[p - frame_places] >> 31U == 0; };
+    Place first_right = frame_places;
+    double left = t_.position_[0].x;
+    while (first_right < t_.first_constructed_ && left_half(first_right))
+        left = std::max(left, t_.position_[first_right++].x);
+    double right = t_.position_[2].x;
+    for (Place p = first_right; p < t_.first_constructed_; ++p)
+        right = std::min(right, t_.position_[p].x);
+    double cut = left / 2 + right / 2;
+    if (!(left < cut && cut < right)) {
+        first_right = frame_places;
+        left = t_.position_[0].x;
+        right = t_.position_[frame_places].x;
+        for (Place p = frame_places; p < t_.first_constructed_; ++p)
+            right = std::min(right, t_.position_[p].x);
+        cut = left / 2 + right / 2;
+    }
+    first_right_ = first_right;
+    t_.position_[4] = {cut, t_.position_[0].y};
+    t_.position_[5] = {cut, t_.position_[2].y};
+    curve_key_ = {};
 }
 
 // With M the largest coordinate difference, fl(dx·dy') has |error| ≤ 3u·M² and the subtraction adds

@@ -103,7 +103,7 @@ private:
 
 Result<VisibilityGraph> build_graph(const Scene2& scene, const VisibilityGraphOptions& options,
                                     const Limits& limits) {
-    const Triangulation t(scene);
+    const Triangulation t(scene, {}, options.threads);
     std::vector<HalfRows> rows;
     {
         GraphBuild build(t, options, limits);
