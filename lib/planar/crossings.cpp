@@ -18,7 +18,7 @@ Crossings::Crossings(const Triangulation& t) : crossings_(3 * t.triangle_count()
                                            out[prev(i)],
                                            out[next(i)],
                                            (t.is_scene_place(apex) ? is_vertex_flag : 0U) |
-                                               (t.is_pinch(apex) ? is_pinch_flag : 0U)};
+                                               (t.is_knot(apex) ? is_knot_flag : 0U)};
         }
     }
 }

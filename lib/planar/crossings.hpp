@@ -19,7 +19,7 @@ struct alignas(32) Crossing {
     std::uint32_t flags;  ///< of the apex
 };
 inline constexpr std::uint32_t is_vertex_flag = 1;  ///< a scene vertex lies there
-inline constexpr std::uint32_t is_pinch_flag = 2;
+inline constexpr std::uint32_t is_knot_flag = 2;
 
 /// The free part of a triangulation as the graph of its crossings. Index 3 t + i: entering triangle t
 /// through its edge i.

@@ -26,8 +26,14 @@ void GraphRows::append(Place v, std::vector<Place>& out) {
     expansion_.look_from(from_);
     bound_ = signs_.bound(from_);
     const HalfEdge start = t_.leaving(v);
-    HalfEdge h = start;
     const std::size_t before = out.size();
+    HalfEdge h = start;
+    if (!body_edges_) {
+        do {
+            exclude_boundary(h);
+            h = t_.rotate_ccw(h);
+        } while (h != start);
+    }
     do {
         begin(h);
         h = t_.rotate_ccw(h);
@@ -155,17 +161,15 @@ void GraphRows::look_along(HalfEdge h, Place p, bool above) {
                        p == corner_.last ||
                        (corner_.kind == Corner::Kind::convex && wedge_of(p) != Wedge::crossing);
     if (!reach) return;
-    if (on_boundary && !body_edges_)
-        exclude_boundary(h);
-    else if (t_.is_scene_place(p))
-        report(p);
+    if (t_.is_scene_place(p) && (!on_boundary || body_edges_)) report(p);
     // The cone on the left of the ray straight up belongs to the other half-plane; a flat corner has none.
     const bool alone = (above && !right_free) || corner_.kind == Corner::Kind::flat;
-    if (every_ ? t_.is_pinch(p) || t_.is_wall(h) || alone : !t_.is_scene_place(p)) follow_beyond(p);
+    if (every_ ? t_.is_knot(p) || t_.is_wall(h) || alone : !t_.is_scene_place(p)) follow_beyond(p);
 }
 
 // Marks what lies on the boundary from h on, straight, as reported: body_edges = false.
 void GraphRows::exclude_boundary(HalfEdge h) {
+    if (t_.is_free(h) == t_.is_free(t_.twin(h))) return;
     RayWalk walk(t_, v_, t_.target(h));
     for (Place p = walk.next_place(); p != no_index && walk.ran_along_boundary();
          p = walk.next_place())

@@ -29,7 +29,7 @@ public:
     // As the visitor of the expansion:
     void vertex(const Crossing& c) {
         if ((c.flags & is_vertex_flag) != 0) report(c.apex);
-        if ((c.flags & is_pinch_flag) != 0 && every_) follow_beyond(c.apex);
+        if ((c.flags & is_knot_flag) != 0 && every_) follow_beyond(c.apex);
     }
     void on_limit(const Crossing& c, Limit& limit);
     void follow(const Limit& limit) {

@@ -60,7 +60,7 @@ std::uint32_t PathNodes::node_of(HalfEdge h) const {
 
 std::array<std::uint32_t, 2> PathNodes::towards(Place p, const Viewpoint& q,
                                                 ConeSigns& signs) const {
-    if (sectors(p) <= 1) return {first_[p], first_[p]};
+    if (sectors(p) <= 1 && !t_.has_constructed()) return {first_[p], first_[p]};
     // Around p: on which side of the line q→p each neighbour lies. Left of it is right of p→q.
     Limit ray;
     ray.place = p;
@@ -81,67 +81,18 @@ std::array<std::uint32_t, 2> PathNodes::towards(Place p, const Viewpoint& q,
         if (sx == Sign::zero && is_towards(x)) {
             // Along a wall as far as another one that crosses it: no path goes on from there.
             if (!t_.is_scene_place(x) && t_.is_wall(h) && x != q.place) return {no_index, no_index};
+            if (sectors(p) == 1) return {first_[p], first_[p]};
             const HalfEdge g = t_.twin(h);
             const HalfEdge right = next(g);  // leaves p, on the right of h
             const std::uint32_t left_node = t_.is_free(h) ? node_of(h) : node_of(right);
             return {left_node, t_.is_free(g) ? node_of(right) : left_node};
         }
-        if (sx == Sign::negative && side(t_.apex(h)) == Sign::positive)
+        if (sectors(p) > 1 && sx == Sign::negative && side(t_.apex(h)) == Sign::positive)
             return {node_of(h), node_of(h)};
         h = t_.rotate_ccw(h);
     } while (h != start);
     return {first_[p], first_[p]};
 }
-
-namespace {
-
-// Whether the open segment between two points, neither of which is a place, crosses nothing and meets
-// no place. (Where it meets one, a path by way of that place is as short.)
-class DirectSight {
-public:
-    DirectSight(const Triangulation& t, const RationalPoint2& p, const RationalPoint2& q)
-        : t_(t), p_(p), q_(q) {}
-
-    [[nodiscard]] bool from(const Location& at) const {
-        for (const HalfEdge base : {at.half_edge, t_.twin(at.half_edge)}) {
-            if (base == no_index || !t_.is_free(base)) continue;
-            if (base != at.half_edge && at.kind == Location::Kind::triangle) continue;
-            if (contains_target(base)) return true;
-            for (const HalfEdge h : {base, next(base), prev(base)})
-                if (crosses(h) && edge_side(h, p_) == Sign::positive) return follow(h);
-        }
-        return false;
-    }
-
-private:
-    [[nodiscard]] Sign side(Place x) const { return orientation(p_, q_, t_.exact_position(x)); }
-    [[nodiscard]] bool crosses(HalfEdge h) const {
-        return side(t_.origin(h)) == Sign::negative && side(t_.target(h)) == Sign::positive;
-    }
-    [[nodiscard]] Sign edge_side(HalfEdge h, const RationalPoint2& x) const {
-        return orientation(t_.exact_position(t_.origin(h)), t_.exact_position(t_.target(h)), x);
-    }
-    [[nodiscard]] bool contains_target(HalfEdge h) const {
-        return edge_side(h, q_) != Sign::negative && edge_side(next(h), q_) != Sign::negative &&
-               edge_side(prev(h), q_) != Sign::negative;
-    }
-    [[nodiscard]] bool follow(HalfEdge h) const {
-        while (t_.is_open(h)) {
-            const HalfEdge g = t_.twin(h);
-            if (contains_target(g)) return true;
-            const Sign s = side(t_.apex(g));
-            if (s == Sign::zero) return false;
-            h = s == Sign::positive ? next(g) : prev(g);
-        }
-        return false;
-    }
-
-    const Triangulation& t_;
-    const RationalPoint2& p_;
-    const RationalPoint2& q_;
-};
-
-}  // namespace
 
 PathGraphBuilder::PathGraphBuilder(const ViewScene& view, const ShortestPathOptions& options)
     : view_(view),
@@ -150,17 +101,13 @@ PathGraphBuilder::PathGraphBuilder(const ViewScene& view, const ShortestPathOpti
       corners_(view.triangulation, Corners::General::any_direction),
       signs_(view.triangulation, options.arithmetic) {}
 
-PathGraph PathGraphBuilder::build(const Standpoint& from, const Standpoint& to,
-                                  const RationalPoint2& p, const RationalPoint2& q) {
+PathGraph PathGraphBuilder::build(const Standpoint& from, const Standpoint& to) {
     PathGraph graph;
     graph.source = nodes_.count();
     graph.target = nodes_.count() + 1;
     add_tangents(graph);
-    const bool seen = add_end(graph, from, graph.source, to.viewpoint.place, graph.target);
-    add_end(graph, to, graph.target, no_index, 0);
-    const bool places = from.viewpoint.place != no_index || to.viewpoint.place != no_index;
-    if (!seen && !places && DirectSight(view_.triangulation, p, q).from(from.at))
-        graph.edges.push_back({graph.source, graph.target});
+    add_end(graph, from, graph.source);
+    add_end(graph, to, graph.target);
     if (options_.tally != nullptr) signs_.add_to(*options_.tally);
     return graph;
 }
@@ -193,25 +140,17 @@ void PathGraphBuilder::add_between(Place u, Place w, ConeSigns& signs,
     if (at_u[1] != at_u[0] || at_w[0] != at_w[1]) out.push_back({at_u[1], at_w[0]});
 }
 
-// The edges from an end of the path; true when it sees the place `wanted`, which is the node `other`.
-bool PathGraphBuilder::add_end(PathGraph& graph, const Standpoint& end, std::uint32_t node,
-                               Place wanted, std::uint32_t other) {
+// The edges from an end of the path to the vertices that it sees.
+void PathGraphBuilder::add_end(PathGraph& graph, const Standpoint& end, std::uint32_t node) {
     VisiblePlaces visible(view_.triangulation, view_.crossings, options_.arithmetic);
-    bool found = false;
     for (const Place w : visible.from(end.viewpoint, end.at)) {
-        if (w == end.viewpoint.place) continue;
-        if (w == wanted) {
-            graph.edges.push_back({node, other});
-            found = true;
-        }
-        if (!corners_.is_tangent(end.viewpoint, w, signs_)) continue;
+        if (w == end.viewpoint.place || !corners_.is_tangent(end.viewpoint, w, signs_)) continue;
         const auto at_w = nodes_.towards(w, end.viewpoint, signs_);
         if (at_w[0] == no_index) continue;
         graph.edges.push_back({node, at_w[0]});
         if (at_w[1] != at_w[0]) graph.edges.push_back({node, at_w[1]});
     }
     if (options_.tally != nullptr) visible.add_to(*options_.tally);
-    return found;
 }
 
 }  // namespace sightline::detail

@@ -62,15 +62,13 @@ public:
     PathGraphBuilder(const ViewScene& view, const ShortestPathOptions& options);
 
     [[nodiscard]] const PathNodes& nodes() const noexcept { return nodes_; }
-    /// The graph for a path from p to q, which stand as given.
-    [[nodiscard]] PathGraph build(const Standpoint& from, const Standpoint& to,
-                                  const RationalPoint2& p, const RationalPoint2& q);
+    /// The graph for a path of several segments.
+    [[nodiscard]] PathGraph build(const Standpoint& from, const Standpoint& to);
 
 private:
     void add_tangents(PathGraph& graph);
     void add_between(Place u, Place w, ConeSigns& signs, std::vector<PathEdge>& out) const;
-    bool add_end(PathGraph& graph, const Standpoint& end, std::uint32_t node, Place wanted,
-                 std::uint32_t other);
+    void add_end(PathGraph& graph, const Standpoint& end, std::uint32_t node);
 
     const ViewScene& view_;
     const ShortestPathOptions& options_;

@@ -1,31 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planar/ray_walk.hpp"
 
+#include "sightline/geom/predicates2.hpp"
+
 namespace sightline::detail {
 
-RayWalk::RayWalk(const Triangulation& t, const Viewpoint& v, const Location& start, Place toward)
-    : t_(t), from_(v), toward_(toward), at_(v.place), start_(start) {}
-
-RationalPoint2 RayWalk::exact_start() const {
-    if (from_.place != no_index) return t_.exact_position(from_.place);
-    return from_.exact != nullptr ? *from_.exact : to_rational(from_.position);
+RationalPoint2 RayWalk::exact(const Viewpoint& v) const {
+    if (v.exact != nullptr) return *v.exact;
+    return v.place != no_index ? t_.exact_position(v.place) : to_rational(v.position);
 }
 
 Sign RayWalk::side(Place p) const {
-    if (p == toward_) return Sign::zero;
-    if (from_.place != no_index)
-        return p == from_.place ? Sign::zero : t_.orientation(from_.place, toward_, p);
+    if (p == toward_.place || p == from_.place) return Sign::zero;
+    if (toward_.place == no_index)
+        return orientation(exact(from_), exact(toward_), t_.exact_position(p));
+    if (from_.place != no_index) return t_.orientation(from_.place, toward_.place, p);
     Limit ray;
-    ray.place = toward_;
+    ray.place = toward_.place;
     return ConeSigns(t_, Arithmetic::filtered).side(from_, ray, p);
 }
 
 // For p on the ray's line, other than the current place: before or behind it?
 bool RayWalk::is_ahead(Place p) const {
-    if (from_.place != no_index) return t_.compare(at_, p) == t_.compare(from_.place, toward_);
-    const bool up = exact_start() < t_.exact_position(toward_);
-    return at_ == no_index ? (exact_start() < t_.exact_position(p)) == up
-                           : t_.compare(at_, p) == (up ? Sign::negative : Sign::positive);
+    if (from_.place != no_index && toward_.place != no_index)
+        return t_.compare(at_, p) == t_.compare(from_.place, toward_.place);
+    const bool up = exact(from_) < exact(toward_);
+    const RationalPoint2 here = at_ == no_index ? exact(from_) : t_.exact_position(at_);
+    return (here < t_.exact_position(p)) == up;
+}
+
+bool RayWalk::reaches_target() {
+    const RationalPoint2 target = exact(toward_);
+    const bool up = exact(from_) < target;
+    for (Place p = next_place(); p != no_index; p = next_place()) {
+        const RationalPoint2 here = t_.exact_position(p);
+        if (here == target || (target < here) == up) return true;
+    }
+    // Between the last place and the edge that the ray ran into?
+    if (stopped_by_ == no_index) return false;
+    return orientation(t_.exact_position(t_.origin(stopped_by_)),
+                       t_.exact_position(t_.target(stopped_by_)), target) != Sign::negative;
 }
 
 void RayWalk::look_at(HalfEdge h, Surroundings& s) const {
@@ -173,6 +187,7 @@ Place RayWalk::first_place(const Location& start) {
     for (const HalfEdge base : {start.half_edge, t_.twin(start.half_edge)}) {
         if (base == no_index || (base != start.half_edge && start.kind != Location::Kind::edge))
             continue;
+        if (!t_.is_free(base)) continue;
         for (const HalfEdge h : {base, next(base), prev(base)}) {
             if (start.kind == Location::Kind::edge && h == base) continue;
             if (side(t_.origin(h)) == Sign::zero && is_ahead(t_.origin(h))) return t_.origin(h);

@@ -12,9 +12,13 @@ class RayWalk {
 public:
     /// Stands at v, looking along v→toward (a different place, in any distance).
     RayWalk(const Triangulation& t, Place v, Place toward)
-        : t_(t), from_{t.position(v), v}, toward_(toward), at_(v) {}
-    /// The same from any point, which lies at `start`.
-    RayWalk(const Triangulation& t, const Viewpoint& v, const Location& start, Place toward);
+        : t_(t), from_{t.position(v), v}, toward_{t.position(toward), toward}, at_(v) {}
+    /// The same from any point, which lies at `start`, towards any other.
+    RayWalk(const Triangulation& t, const Viewpoint& v, const Location& start, Place toward)
+        : RayWalk(t, v, start, Viewpoint{t.position(toward), toward}) {}
+    RayWalk(const Triangulation& t, const Viewpoint& v, const Location& start,
+            const Viewpoint& toward)
+        : t_(t), from_(v), toward_(toward), at_(v.place), start_(start) {}
 
     /// What the ray ran into when it did not come to another place: an edge, seen from this side; or
     /// no_index when it could not leave the last place.
@@ -24,6 +28,8 @@ public:
     void skip_to(Place w);
     /// Goes on to the next place on the ray; no_index when the ray is blocked or leaves the frame.
     [[nodiscard]] Place next_place();
+    /// Walks to the point `toward`; whether the segment up to there is free.
+    [[nodiscard]] bool reaches_target();
     /// Whether the ray can go on beyond the place where it stands, however little.
     [[nodiscard]] bool can_leave();
     /// Whether the last step ran along a body's or the world's boundary.
@@ -45,11 +51,11 @@ private:
     [[nodiscard]] bool pass(const Surroundings& s);
     [[nodiscard]] Place cross_triangles(HalfEdge h);
     [[nodiscard]] Place first_place(const Location& start);
-    [[nodiscard]] RationalPoint2 exact_start() const;
+    [[nodiscard]] RationalPoint2 exact(const Viewpoint& v) const;
 
     const Triangulation& t_;
     Viewpoint from_;
-    Place toward_;
+    Viewpoint toward_;
     Place at_;  // no_index: at the start, which is no place
     Location start_{};
     HalfEdge stopped_by_ = no_index;

@@ -6,8 +6,11 @@
 #include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 #include <cfloat>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
 
 #include "planar/path_graph.hpp"
+#include "planar/ray_walk.hpp"
 #include "sightline/arith/square_roots.hpp"
 #include "sightline/geom/predicates2.hpp"
 #include "sightline/planar/shortest_path.hpp"
@@ -60,7 +63,8 @@ private:
     }
     [[nodiscard]] bool is_better(const Chain& a, const Chain& b) const;
     [[nodiscard]] std::vector<Rational> squares(const Chain& chain) const;
-    [[nodiscard]] Chain settle(std::vector<PathEdge> arcs) const;
+    [[nodiscard]] Chain extended(Chain chain, std::uint32_t node) const;
+    [[nodiscard]] Chain settle(const std::vector<PathEdge>& arcs) const;
 
     const ViewScene& view_;
     const PathNodes& nodes_;
@@ -131,31 +135,43 @@ bool PathSearch::is_better(const Chain& a, const Chain& b) const {
                                         [&](auto u, auto v) { return id(u) < id(v); });
 }
 
-// Best chains along the arcs (sorted by the distance of their sources), relaxed until nothing changes:
-// one round unless an arc is shorter than the rounding error.
-PathSearch::Chain PathSearch::settle(std::vector<PathEdge> arcs) const {
-    std::vector<std::pair<std::uint32_t, Chain>> best;
-    const auto chain_of = [&](std::uint32_t node) -> Chain& {
-        auto it = std::lower_bound(
-            best.begin(), best.end(), node,
-            [](const auto& entry, std::uint32_t key) { return entry.first < key; });
-        if (it == best.end() || it->first != node) it = best.insert(it, {node, {}});
-        return it->second;
+// The chain, one node longer; where it goes straight on, its last node is no vertex of it any more.
+PathSearch::Chain PathSearch::extended(Chain chain, std::uint32_t node) const {
+    if (chain.size() > 1) {
+        const RationalPoint2 a = position(chain[chain.size() - 2]);
+        const RationalPoint2 b = position(chain.back());
+        const RationalPoint2 c = position(node);
+        if (orientation(a, b, c) == Sign::zero && (a < b) == (b < c)) chain.pop_back();
+    }
+    chain.push_back(node);
+    return chain;
+}
+
+// The best chain to the end of each arc (sorted by the distance of their sources), relaxed until nothing
+// changes: one round unless an arc is shorter than the rounding error. By arcs, not by nodes, since the
+// arc decides whether the path goes straight on.
+PathSearch::Chain PathSearch::settle(const std::vector<PathEdge>& arcs) const {
+    std::unordered_map<std::uint32_t, std::vector<std::size_t>> into;
+    for (std::size_t i = 0; i < arcs.size(); ++i) into[arcs[i].v].push_back(i);
+    std::vector<Chain> best(arcs.size());
+    const auto offer = [&](std::size_t arc, Chain chain) {
+        if (chain == best[arc] || (!best[arc].empty() && !is_better(chain, best[arc])))
+            return false;
+        best[arc] = std::move(chain);
+        return true;
     };
-    chain_of(graph_.source) = {graph_.source};
     for (bool changed = true; changed;) {
         changed = false;
-        for (const PathEdge& arc : arcs) {
-            Chain longer = chain_of(arc.u);
-            if (longer.empty()) continue;
-            longer.push_back(arc.v);
-            Chain& known = chain_of(arc.v);
-            if (known == longer || (!known.empty() && !is_better(longer, known))) continue;
-            known = std::move(longer);
-            changed = true;
+        for (std::size_t i = 0; i < arcs.size(); ++i) {
+            if (arcs[i].u == graph_.source) changed |= offer(i, {arcs[i].u, arcs[i].v});
+            for (const std::size_t j : into[arcs[i].u])
+                if (!best[j].empty()) changed |= offer(i, extended(best[j], arcs[i].v));
         }
     }
-    return chain_of(graph_.target);
+    Chain result;
+    for (const std::size_t i : into[graph_.target])
+        if (!best[i].empty() && (result.empty() || is_better(best[i], result))) result = best[i];
+    return result;
 }
 
 std::vector<std::uint32_t> PathSearch::run() {
@@ -176,24 +192,23 @@ std::vector<std::uint32_t> PathSearch::run() {
     }
     std::sort(arcs.begin(), arcs.end(),
               [&](const PathEdge& a, const PathEdge& b) { return from[a.u] < from[b.u]; });
-    return settle(std::move(arcs));
+    return settle(arcs);
 }
 
-// Vertices that the path passes straight are no vertices of the path.
-template <typename Position>
-void drop_straight(std::vector<std::uint32_t>& chain, const Position& position) {
-    std::vector<std::uint32_t> kept;
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-        if (!kept.empty() && i + 1 < chain.size()) {
-            const RationalPoint2 a = position(kept.back());
-            const RationalPoint2 b = position(chain[i]);
-            const RationalPoint2 c = position(chain[i + 1]);
-            if (a == b) continue;
-            if (orientation(a, b, c) == Sign::zero && (a < b) == (b < c)) continue;
-        }
-        kept.push_back(chain[i]);
-    }
-    chain = std::move(kept);
+// Adds the rest of a path that bends; false when there is none.
+bool bend(const ViewScene& view, const Standpoint& source, const Standpoint& target,
+          const ShortestPathOptions& options, ShortestPath& path, const RationalPoint2& to) {
+    PathGraphBuilder builder(view, options);
+    const PathGraph graph = builder.build(source, target);
+    const RationalPoint2 from = path.points.front();
+    PathSearch search(view, builder.nodes(), graph, from, to);
+    const std::vector<std::uint32_t> chain = search.run();
+    if (chain.empty()) return false;
+    for (std::size_t i = 1; i < chain.size(); ++i) path.points.push_back(search.position(chain[i]));
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i)
+        path.vertices.push_back(
+            view.triangulation.vertices_at(builder.nodes().place(chain[i])).front());
+    return true;
 }
 
 }  // namespace
@@ -217,20 +232,14 @@ Result<ShortestPath> shortest_path(const Scene2& scene, const RationalPoint2& fr
     ShortestPath path;
     path.points = {from};
     if (from != to) {
-        PathGraphBuilder builder(view, options);
-        const PathGraph graph = builder.build(*source, *target, from, to);
-        PathSearch search(view, builder.nodes(), graph, from, to);
-        std::vector<std::uint32_t> chain = search.run();
-        if (chain.empty())
+        if (RayWalk(view.triangulation, source->viewpoint, source->at, target->viewpoint)
+                .reaches_target()) {
+            path.points.push_back(to);
+        } else if (!bend(view, *source, *target, options, path, to)) {
             return fail(
                 Errc::unreachable,
                 "no free path joins the two points; they lie in different parts of the free space");
-        drop_straight(chain, [&](std::uint32_t node) { return search.position(node); });
-        for (std::size_t i = 1; i < chain.size(); ++i)
-            path.points.push_back(search.position(chain[i]));
-        for (std::size_t i = 1; i + 1 < chain.size(); ++i)
-            path.vertices.push_back(
-                view.triangulation.vertices_at(builder.nodes().place(chain[i])).front());
+        }
     }
     std::vector<Rational> squares;
     for (std::size_t i = 1; i < path.points.size(); ++i) {

@@ -67,7 +67,10 @@ public:
         return vertices_at_.size() != first_constructed_ - frame_places;
     }
     /// Whether B meets the neighbourhood of p in two or more sectors: a pinhole may lead through p.
-    [[nodiscard]] bool is_pinch(Place p) const noexcept { return pinch_[p] != 0; }
+    [[nodiscard]] bool is_pinch(Place p) const noexcept { return (pinch_[p] & pinch_bit) != 0; }
+    /// Whether a ray through p may go on there although both of its sides end: a pinch, or a wall that
+    /// leaves p between two others.
+    [[nodiscard]] bool is_knot(Place p) const noexcept { return pinch_[p] != 0; }
     [[nodiscard]] bool has_walls() const noexcept { return has_walls_; }
 
     // --- triangles
@@ -120,6 +123,8 @@ private:
     friend class Delaunay;
     static constexpr std::uint8_t boundary_bit = 1;
     static constexpr std::uint8_t wall_bit = 2;
+    static constexpr std::uint8_t pinch_bit = 1;
+    static constexpr std::uint8_t knot_bit = 2;
 
     std::vector<Point2> position_;
     std::vector<RationalPoint2> constructed_;

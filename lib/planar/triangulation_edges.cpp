@@ -208,8 +208,12 @@ void TriangulationBuilder::find_pinches() {
     for (HalfEdge h = 0; h < t_.origin_.size(); ++h) {
         if ((h & 3U) == 3U || t_.solid_[h >> 2U] == 0 || t_.twin_[h] == no_index) continue;
         if (t_.solid_[t_.twin_[h] >> 2U] != 0) continue;
-        if (++sectors[t_.origin_[h]] >= 2) t_.pinch_[t_.origin_[h]] = 1;
+        if (++sectors[t_.origin_[h]] >= 2) t_.pinch_[t_.origin_[h]] = Triangulation::pinch_bit;
     }
+    if (!t_.has_walls_) return;
+    for (HalfEdge h = 0; h < t_.origin_.size(); ++h)
+        if ((h & 3U) != 3U && t_.is_wall(h) && ++sectors[t_.origin_[h]] >= 3)
+            t_.pinch_[t_.origin_[h]] |= Triangulation::knot_bit;
 }
 
 }  // namespace sightline::detail

@@ -95,11 +95,15 @@ int lowest_bit(double x) {
 
 void TriangulationBuilder::make_frame() {
     const Box b = bounding_box(scene_.vertices(), within_);
-    // A margin of about the scene's size, rounded to a power of two to stay on the scene's grid.
+    // A margin of about the scene's size, a power of two to stay on the scene's grid; and wide enough for
+    // some doubles to lie in it.
     const double size = std::max({b.x1 - b.x0, b.y1 - b.y0, DBL_MIN});
-    const double margin = std::ldexp(1.0, std::min(std::ilogb(size) + 1, 1022));
-    const auto down = [&](double v) { return std::min(v - margin, std::nextafter(v, -DBL_MAX)); };
-    const auto up = [&](double v) { return std::max(v + margin, std::nextafter(v, DBL_MAX)); };
+    const double largest =
+        std::max({std::fabs(b.x0), std::fabs(b.x1), std::fabs(b.y0), std::fabs(b.y1), DBL_MIN});
+    const double margin = std::ldexp(
+        1.0, std::clamp(std::max(std::ilogb(size) + 1, std::ilogb(largest) - 49), -1021, 1022));
+    const auto down = [&](double v) { return v - margin; };
+    const auto up = [&](double v) { return v + margin; };
     t_.position_ = {{down(b.x0), down(b.y0)},
                     {up(b.x1), down(b.y0)},
                     {up(b.x1), up(b.y1)},

@@ -56,7 +56,14 @@ Result<Standpoint> stand_at(const Scene2& scene, const ViewScene& view, const Vi
         if (at.kind != Location::Kind::place) return Standpoint{q, at};
         return Standpoint{{t.position(t.origin(h)), t.origin(h)}, at};
     }
-    const BodyId body = body_around(scene, t, at.half_edge);
+    // On a contact several are around: a body is named rather than the outside.
+    BodyId body = body_around(scene, t, at.half_edge);
+    if (body.is_none() && at.kind == Location::Kind::edge)
+        body = body_around(scene, t, t.twin(at.half_edge));
+    if (body.is_none() && at.kind == Location::Kind::place)
+        for (HalfEdge h = t.rotate_ccw(at.half_edge); body.is_none() && h != at.half_edge;
+             h = t.rotate_ccw(h))
+            body = body_around(scene, t, h);
     if (body.is_none())
         return fail(
             Errc::outside_of_world,

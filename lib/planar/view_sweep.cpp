@@ -5,6 +5,26 @@ namespace sightline::detail {
 
 using Kind = ViewVertex::Kind;
 
+// Where two walls cross: by any edge of each.
+ViewVertex vertex_at(const Triangulation& t, Place p) {
+    if (t.is_scene_place(p)) return {.kind = Kind::vertex, .vertex = t.vertices_at(p).front()};
+    ViewVertex v{.kind = Kind::crossing};
+    const HalfEdge start = t.leaving(p);
+    HalfEdge h = start;
+    do {
+        const EdgeId e = t.scene_edge(h);
+        if (!e.is_none()) {
+            if (v.edge.is_none() || e == v.edge)
+                v.edge = e;
+            else if (v.other.is_none() || e < v.other)
+                v.other = e;
+        }
+        h = t.rotate_ccw(h);
+    } while (h != start);
+    if (v.other < v.edge) std::swap(v.edge, v.other);
+    return v;
+}
+
 ViewSweep::ViewSweep(const Triangulation& t, const Crossings& crossings, Arithmetic arithmetic)
     : t_(t), crossings_(crossings), signs_(t, arithmetic), expansion_(crossings, signs_, *this) {}
 
@@ -70,7 +90,7 @@ void ViewSweep::look_into(HalfEdge far_edge) {
                      p,
                      Limit::Kind::towards,
                      true,
-                     t_.is_pinch(p),
+                     t_.is_knot(p),
                      false};
     };
     const Cone cone{Crossings::beyond(t_, far_edge), towards(t_.target(far_edge)),
@@ -84,33 +104,11 @@ void ViewSweep::look_into(HalfEdge far_edge) {
     }
 }
 
-// Two walls that cross at p, by any edge of each.
-ViewVertex ViewSweep::crossing_of_walls(Place p) const {
-    ViewVertex v{.kind = Kind::crossing};
-    const HalfEdge start = t_.leaving(p);
-    HalfEdge h = start;
-    do {
-        const EdgeId e = t_.scene_edge(h);
-        if (!e.is_none()) {
-            if (v.edge.is_none() || e == v.edge)
-                v.edge = e;
-            else if (v.other.is_none() || e < v.other)
-                v.other = e;
-        }
-        h = t_.rotate_ccw(h);
-    } while (h != start);
-    if (v.other < v.edge) std::swap(v.edge, v.other);
-    return v;
-}
-
 // The end of a cone's piece of the edge `exit`, whose end on that side is the place `corner`.
 ViewVertex ViewSweep::end(HalfEdge exit, const Limit& limit, Place corner) const {
     const bool infinite = t_.twin(exit) == no_index;
     if (limit.place < frame_places) return {.kind = Kind::direction};  // dropped
-    if (limit.touches && !infinite)
-        return corner < t_.first_constructed()
-                   ? ViewVertex{.kind = Kind::vertex, .vertex = t_.vertices_at(corner).front()}
-                   : crossing_of_walls(corner);
+    if (limit.touches && !infinite) return vertex_at(t_, corner);
     const VertexId through = t_.vertices_at(limit.place).front();
     if (infinite) return {.kind = Kind::infinity, .vertex = through};
     return {.kind = Kind::on_edge, .vertex = through, .edge = t_.scene_edge(exit)};
@@ -126,11 +124,13 @@ void ViewSweep::blocked(HalfEdge exit, const Cone& cone) {
 void ViewSweep::add_piece(EdgeId carrier, const ViewVertex& right, const ViewVertex& left) {
     std::vector<ViewVertex>& ring = *ring_;
     const bool meets = has_piece_ && !ring.empty() && ring.back() == right;
-    if (meets && carrier == carrier_ && right.kind != Kind::vertex)
+    const bool goes_on =
+        meets && carrier == carrier_ && right.kind != Kind::vertex && right.kind != Kind::crossing;
+    if (goes_on)
         ring.pop_back();
     else if (right.kind != Kind::direction && !meets)
         ring.push_back(right);
-    if (left.kind != Kind::direction && (ring.empty() || ring.back() != left)) ring.push_back(left);
+    if (left.kind != Kind::direction && (goes_on || left != right)) ring.push_back(left);
     if (!has_piece_) first_carrier_ = carrier;
     carrier_ = carrier;
     has_piece_ = true;
@@ -140,6 +140,7 @@ void ViewSweep::close() {
     std::vector<ViewVertex>& ring = *ring_;
     if (ring.size() > 1 && ring.front() == ring.back()) {
         const bool straight = carrier_ == first_carrier_ && ring.front().kind != Kind::vertex &&
+                              ring.front().kind != Kind::crossing &&
                               ring.front().kind != Kind::from;
         ring.pop_back();
         if (straight) ring.erase(ring.begin());

@@ -9,6 +9,9 @@
 
 namespace sightline::detail {
 
+/// A place as a vertex of a view: a scene vertex (the least id there), or a crossing of walls.
+[[nodiscard]] ViewVertex vertex_at(const Triangulation& t, Place p);
+
 /// Builds the ring of one visibility polygon from the edges that end the cones of sight, in
 /// counter-clockwise order. As a visitor of the expansion; one object a thread, reusable.
 class ViewSweep {
@@ -25,10 +28,10 @@ public:
 
     // As the visitor of the expansion:
     void vertex(const Crossing& c) {
-        if ((c.flags & is_pinch_flag) != 0) followed_.push_back(c.apex);
+        if ((c.flags & is_knot_flag) != 0) followed_.push_back(c.apex);
     }
     void on_limit(const Crossing& c, Limit& limit) {
-        limit.place = c.apex;
+        if (c.apex >= frame_places) limit.place = c.apex;
         limit.armed = true;
     }
     void follow(const Limit& limit) { followed_.push_back(limit.place); }
@@ -39,7 +42,6 @@ private:
     void look_around(Place v);
     void close();
     [[nodiscard]] ViewVertex end(HalfEdge exit, const Limit& limit, Place corner) const;
-    [[nodiscard]] ViewVertex crossing_of_walls(Place p) const;
     void add_piece(EdgeId carrier, const ViewVertex& right, const ViewVertex& left);
 
     const Triangulation& t_;

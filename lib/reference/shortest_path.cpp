@@ -33,11 +33,7 @@ struct Stop {
     Picture picture;
 };
 
-/// While all of the path so far lies in walls, or all that follows does, no wall is crossed.
-constexpr std::size_t in_first_run = static_cast<std::size_t>(-1);
-constexpr std::size_t in_last_run = static_cast<std::size_t>(-2);
-
-/// At `stop`, having come in `sector` of it or in one of the runs of walls that contain an end.
+/// At `stop`, having come in `sector` of it (at the ends of the path the sector says nothing).
 struct State {
     std::size_t stop;
     std::size_t sector;
@@ -103,10 +99,6 @@ void PathFinder::find_arcs(const Scene2& scene) {
             const auto add = [&](std::size_t leaves, std::size_t comes) {
                 arcs_.push_back({{i, leaves}, {j, j == goal ? 0 : comes}, length});
             };
-            if (line.runs_along_walls()) {
-                add(in_first_run, in_first_run);
-                add(in_last_run, in_last_run);
-            }
             if (i == start && j == goal) {
                 add(0, 0);
             } else if (!line.passes_vertex()) {
@@ -118,15 +110,13 @@ void PathFinder::find_arcs(const Scene2& scene) {
 
 bool PathFinder::may_continue(const State& at, const Arc& arc) const {
     if (arc.from.stop != at.stop) return false;
-    if (arc.from.sector == in_first_run) return at.sector == in_first_run;
-    if (arc.from.sector == in_last_run || at.sector == in_first_run) return true;
-    if (at.sector == in_last_run) return false;
+    if (at.stop == start) return true;
     return stops_[at.stop].picture.may_pass(at.sector, arc.from.sector);
 }
 
 // Dijkstra's algorithm, the obvious way.
 void PathFinder::settle() {
-    std::map<State, Squares> open{{State{start, in_first_run}, {}}};
+    std::map<State, Squares> open{{State{start, 0}, {}}};
     while (!open.empty()) {
         const auto nearest = std::min_element(
             open.begin(), open.end(),

@@ -200,14 +200,6 @@ std::vector<SightLine::Way> SightLine::ways() const {
     return result;
 }
 
-bool SightLine::runs_along_walls() const {
-    if (cut_) return false;
-    for (std::size_t i = 0; i + 1 < pictures_.size(); ++i) {
-        if (!pictures_[i].is_on_wall(forward(i))) return false;
-    }
-    return true;
-}
-
 bool SightLine::runs_along_bodies() const {
     if (cut_) return false;
     for (std::size_t i = 0; i + 1 < pictures_.size(); ++i) {

@@ -62,8 +62,6 @@ public:
 
     /// Whether the whole segment lies on boundaries of bodies or of the world.
     [[nodiscard]] bool runs_along_bodies() const;
-    /// Whether the whole segment lies on walls.
-    [[nodiscard]] bool runs_along_walls() const;
 
     /// The ways along a free segment that contains no vertex: a sector of the picture at p and one of the
     /// picture at q. Along a wall there is one on each free side, unless another wall crosses it.

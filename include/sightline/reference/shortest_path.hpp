@@ -12,8 +12,8 @@ namespace sightline::reference {
 /// A path is free when its segments are and when it crosses no wall where it bends: walls and bodies part
 /// the neighbourhood of a vertex into sectors; a path that comes in one sector leaves in the same one, or
 /// in one that bodies alone part from it (through a pinhole). A path along a wall keeps to one of its
-/// sides, and does not pass another wall that crosses it; but a stretch inside walls that contains an end
-/// of the path crosses nothing, as with segments.
+/// sides, and does not pass another wall that crosses it. An end on a wall belongs to both sides. A free
+/// segment between the two ends is a free path, whatever it runs along.
 ///
 /// Vertices at which the path goes straight on are no vertices of it. Of the shortest paths, the one with
 /// the fewest vertices, and of these the one with the least sequence of ids (of vertices at one place, the
