@@ -62,8 +62,8 @@ private:
         for (std::size_t k = 0; k < partners_.size();) k = keep_nearest(v, k);
     }
 
-    // Of the partners of v on one line, from number k on: those with no contact of the two owners before
-    // them. Returns the number after them.
+    // Of the partners of v on one line, from number k on: those with no contact of the two owners
+    // before them. Returns the number after them.
     std::size_t keep_nearest(VertexId v, std::size_t k) {
         const Point2& place = scene_[v];
         const Point2& first = scene_[partners_[k]];

@@ -109,8 +109,8 @@ bool Surroundings::is_tangent(const Point2& p, VertexId v) const {
     return can_pass(arms, locate(arms, place, p, false), locate(arms, place, p, true));
 }
 
-// The ray from the place towards p, or straight away from it. The arm that the ray meets last when it
-// turns counter-clockwise for one turn is the one before it.
+// The ray from the place towards p, or straight away from it. The arm that the ray meets last when
+// it turns counter-clockwise for one turn is the one before it.
 Surroundings::Spot Surroundings::locate(const std::vector<Arm>& arms, const Point2& place,
                                         const Point2& p, bool away) {
     // 0: on the ray; 1: to its left; 2: on its extension backwards; 3: to its right.
@@ -148,8 +148,8 @@ bool Surroundings::can_pass(const std::vector<Arm>& arms, const Spot& in, const 
     if (from == n || to == n) return false;
     if ((in.on_arm && arms[in.arm].wall) || (out.on_arm && arms[out.arm].wall)) return true;
     if (from == to) return true;
-    // Different sectors: walls must not be needed to separate them. B alone does when both ways round
-    // lead through solid sectors.
+    // Different sectors: walls must not be needed to separate them. B alone does when both ways
+    // round lead through solid sectors.
     const auto is_solid_between = [&](std::size_t a, std::size_t b) {
         for (std::size_t i = a; i != b; i = (i + 1) % n) {
             if (arms[i].solid) return true;

@@ -17,8 +17,8 @@ public:
 
     /// Whether some line is locally tangent at v.
     [[nodiscard]] bool has_tangents(VertexId v) const { return at_[v].kind != Kind::reflex; }
-    /// Whether a short piece of the line from p (at another place) through v is free round v, as far as
-    /// walls that leave v along the line don't decide otherwise farther away.
+    /// Whether a short piece of the line from p (at another place) through v is free round v, as
+    /// far as walls that leave v along the line don't decide otherwise farther away.
     [[nodiscard]] bool is_tangent(const Point2& p, VertexId v) const;
 
 private:

@@ -5,9 +5,9 @@
 
 namespace sightline {
 
-// First the side at the source of each arc, row by row. Then the arcs themselves: as the rows ascend, the
-// arcs back to a vertex come in the order of its own row, so a counter a row finds the other side and
-// nothing is searched or sorted.
+// First the side at the source of each arc, row by row. Then the arcs themselves: as the rows
+// ascend, the arcs back to a vertex come in the order of its own row, so a counter a row finds the
+// other side and nothing is searched or sorted.
 std::vector<FreeBitangent> free_bitangents(const Scene2& scene,
                                            const VisibilityGraph& tangent_graph,
                                            const FreeBitangentOptions& options) {

@@ -36,8 +36,8 @@ public:
         return {{}, false, v};
     }
 
-    /// Whether a short piece of the line through v and p is free round v: neither half of it runs inside
-    /// B, and no wall that both leave to the sides is needed to separate them.
+    /// Whether a short piece of the line through v and p is free round v: neither half of it runs
+    /// inside B, and no wall that both leave to the sides is needed to separate them.
     [[nodiscard]] bool is_tangent(VertexId v, const Point2& p) const {
         const Picture& picture = pictures_[v.index()];
         const Heading forward{p, false};

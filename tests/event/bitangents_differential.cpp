@@ -3,6 +3,7 @@
 
 #include "sightline/event/bitangents.hpp"
 #include "sightline/reference/bitangents.hpp"
+#include "sightline/scene/locate2.hpp"
 #include "support/arbitrary.hpp"
 #include "support/bitangents.hpp"
 #include "support/corpus.hpp"
@@ -41,6 +42,33 @@ TEST(BitangentsExhaustive, AgreeOnAllPairsOfTrianglesOnAGrid) {
         const Scene2 scene = *Scene2::make(input);
         EXPECT_TRUE(agrees(scene)) << testing::to_text(input);
     }
+}
+
+// A point in free space that joins the scene has the supporting lines through it as bitangents.
+TEST(SupportingLinesDifferential, AreBitangentsOfAPoint) {
+    std::size_t lines = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        const Scene2 scene = *Scene2::make(testing::random_scene(seed));
+        for (const Point2 p : {Point2{0.5, 1}, Point2{2, 1.5}, Point2{-1, 2}, Point2{1, 4}}) {
+            const Location2 at = locate(scene, p);
+            if (at.kind != PlaceKind2::free || !at.edge.is_none() || !at.vertex.is_none()) continue;
+            const std::vector<Point2> added{p};
+            const auto all = bitangents(*scene.with_points(added));
+            const VertexId point{static_cast<std::uint32_t>(scene.vertex_count())};
+            for (std::uint32_t body = 0; body < scene.body_count(); ++body) {
+                std::vector<SupportingLine2> expected;
+                for (const Bitangent& b : all) {
+                    if (b.source == point && b.target_body == BodyId{body})
+                        expected.push_back({b.target, b.target_body, b.target_side, p});
+                }
+                EXPECT_EQ(supporting_lines(scene, {body}, p), expected)
+                    << p << " " << to_string(BodyId{body}) << "\n"
+                    << testing::to_text(testing::random_scene(seed));
+                lines += expected.size();
+            }
+        }
+    }
+    EXPECT_GT(lines, 500U);
 }
 
 }  // namespace

@@ -17,15 +17,15 @@
 /// The critical lines of the plane, named by what they touch. docs/structures/bitangents.md
 namespace sightline {
 
-/// On which side of a directed line the thing lies that the line touches at a vertex. What counts is
-/// the scene's own edges at that vertex (two on a ring, one or two on a wall, none at a point).
+/// On which side of a directed line the thing lies that the line touches at a vertex. What counts
+/// is the scene's own edges at that vertex (two on a ring, one or two on a wall, none at a point).
 ///
 /// Degeneracy
-/// - One edge along the line: the side of the other. Both along it: for a body (or the world) the side
-///   of its inside; a wall is `on` the line.
+/// - One edge along the line: the side of the other. Both along it: for a body (or the world) the
+///   side of its inside; a wall is `on` the line.
 /// - A point, and a wall that runs along the line: `on`; they have no side.
-/// - The line passes between the two edges: `both`. Of lines that are locally tangent this happens only
-///   where the ring is pinched (the line leads through a pinhole of one body).
+/// - The line passes between the two edges: `both`. Of lines that are locally tangent this happens
+///   only where the ring is pinched (the line leads through a pinhole of one body).
 enum class Side : std::uint8_t { left, right, on, both };
 
 /// The same side for whoever looks the other way.
@@ -37,8 +37,8 @@ enum class Side : std::uint8_t { left, right, on, both };
 [[nodiscard]] char letter_of(Side side) noexcept;
 std::ostream& operator<<(std::ostream& out, Side side);
 
-/// A directed line that is locally tangent at two vertices, from the first to the second. Its name is
-/// its generators: the contacts; coordinates are those of the scene.
+/// A directed line that is locally tangent at two vertices, from the first to the second. Its name
+/// is its generators: the contacts; coordinates are those of the scene.
 ///
 /// Laws
 ///  (1) reversed(reversed(b)) == b

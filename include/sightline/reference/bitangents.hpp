@@ -9,8 +9,8 @@
 
 namespace sightline::reference {
 
-/// All bitangents by trying every pair of vertices; the definition, transcribed. In both directions,
-/// ascending. O(n³).
+/// All bitangents by trying every pair of vertices; the definition, transcribed. In both
+/// directions, ascending. O(n³).
 [[nodiscard]] std::vector<Bitangent> bitangents(const Scene2& scene,
                                                 const BitangentOptions& options = {});
 
