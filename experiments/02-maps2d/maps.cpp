@@ -78,7 +78,7 @@ Moved made_valid(std::string transform, SceneInput2 input) {
         if (auto repaired = repair(input)) {
             return {
                 std::move(transform), std::move(repaired->scene),
-                fmt::format("{} repairs, {} holes left out", repaired->changes.size(), dropped)};
+                fmt::format("{} repairs + {} holes left out", repaired->changes.size(), dropped)};
         }
         const auto hole = hole_named_in(scene.error().message);
         auto& holes = std::get<Polygon2>(input.elements.front()).holes;
@@ -133,11 +133,11 @@ std::vector<Moved> moved(const Map& map, std::uint64_t seed) {
         result.push_back(made_valid(name, f::transformed(map.input, transform).value()));
     }
     const SceneInput2 turned = f::transformed(map.input, f::ApproxRotation{30}).value();
-    result.push_back(made_valid("rotated 30 deg, shifted 1e8",
+    result.push_back(made_valid("rotated 30 deg + shifted 1e8",
                                 f::transformed(turned, f::ApproxTranslation{1e8, 1e8}).value()));
     result.push_back(made_valid("one ulp off", one_ulp_off(map.input, seed)));
     const SceneInput2 small = f::transformed(map.input, f::ApproxScaling{0.1}).value();
-    result.push_back(made_valid("0.1, one ulp off", one_ulp_off(small, seed)));
+    result.push_back(made_valid("scaled 0.1 + one ulp off", one_ulp_off(small, seed)));
     return result;
 }
 

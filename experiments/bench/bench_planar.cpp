@@ -2,7 +2,7 @@
 // Planar structures on our own families, and CGAL's triangular expansion beside them as the yardstick.
 //
 // Names: graph/<family>/<n>/<full|tangent>/<nearest|all>/<arithmetic>/<threads>,
-//        view/<family>/<n>[/exact], path/…, triangulation/…, cgal_every_vertex/…, cgal_view/…
+//        view/<family>/<n>[/exact|/canonical], path/…, triangulation/…, cgal_every_vertex/…, cgal_view/…
 // Times of one thread are processor time, those of two elapsed time.
 
 #include <benchmark/benchmark.h>
@@ -16,6 +16,7 @@
 #include "common/measure.hpp"
 #include "common/scenes.hpp"
 #include "planar/triangulation.hpp"
+#include "sightline/planar/exact_points.hpp"
 #include "sightline/planar/shortest_path.hpp"
 #include "sightline/planar/visibility_graph.hpp"
 #include "sightline/planar/visibility_polygon.hpp"
@@ -55,7 +56,9 @@ void graph(State& state, const std::string& family, std::size_t n,
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void view(State& state, const std::string& family, std::size_t n, bool with_coordinates) {
+enum class Coordinates { none, exact, canonical };
+
+void view(State& state, const std::string& family, std::size_t n, Coordinates coordinates) {
     const Scene2& scene = scene_of(family, n);
     const auto points = experiments::free_points(scene, query_count, seed);
     const PointVisibility2 visibility(scene);
@@ -66,7 +69,10 @@ void view(State& state, const std::string& family, std::size_t n, bool with_coor
         const Point2& q = points[i++ % points.size()];
         if (!visibility.from(q, {}, polygon)) state.SkipWithError("a point in B");
         corners += polygon.ring.size();
-        if (with_coordinates) benchmark::DoNotOptimize(exact_ring(scene, polygon));
+        if (coordinates == Coordinates::exact)
+            benchmark::DoNotOptimize(visibility.exact_points(polygon));
+        if (coordinates == Coordinates::canonical)
+            benchmark::DoNotOptimize(exact_ring(scene, polygon));
     }
     state.counters["corners"] =
         benchmark::Counter(static_cast<double>(corners), benchmark::Counter::kAvgIterations);
@@ -162,9 +168,14 @@ void add_rest(const Family& family, std::size_t n) {
     add("triangulation" + label, [=](State& s) {
         triangulation(s, name, n);
     })->Unit(benchmark::kMillisecond);
-    add("view" + label, [=](State& s) { view(s, name, n, false); })->Unit(benchmark::kMicrosecond);
+    add("view" + label, [=](State& s) {
+        view(s, name, n, Coordinates::none);
+    })->Unit(benchmark::kMicrosecond);
     add("view" + label + "/exact", [=](State& s) {
-        view(s, name, n, true);
+        view(s, name, n, Coordinates::exact);
+    })->Unit(benchmark::kMicrosecond);
+    add("view" + label + "/canonical", [=](State& s) {
+        view(s, name, n, Coordinates::canonical);
     })->Unit(benchmark::kMicrosecond);
     if (n <= 10000) {
         add("path" + label, [=](State& s) { path(s, name, n); })->Unit(benchmark::kMillisecond);

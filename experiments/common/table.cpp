@@ -29,6 +29,7 @@ void Table::print(const std::vector<std::string>& row) {
 
 void Table::add(std::vector<std::string> row) {
     SIGHTLINE_EXPECT(row.size() == columns_.size());
+    for (const std::string& cell : row) SIGHTLINE_EXPECT(cell.find(',') == std::string::npos);
     if (rows_.empty()) {
         widths_[0] = std::max<std::size_t>(widths_[0], 24);
         print(columns_);

@@ -11,7 +11,7 @@ class Table {
 public:
     explicit Table(std::vector<std::string> columns);
 
-    /// Appends a row (as many cells as columns) and prints it, aligned, to standard output.
+    /// Appends a row (as many cells as columns, none with a comma) and prints it, aligned, to standard output.
     void add(std::vector<std::string> row);
     [[nodiscard]] std::size_t row_count() const noexcept { return rows_.size(); }
     /// `head` goes first, then one line for the columns and one a row. Fails by exception.
