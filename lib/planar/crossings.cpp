@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planar/crossings.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 namespace sightline::detail {
 
-Crossings::Crossings(const Triangulation& t) : crossings_(3 * t.triangle_count()) {
-    for (HalfEdge base = 0; base < 4 * t.triangle_count(); base += 4) {
+Crossings::Crossings(const Triangulation& t, unsigned threads)
+    : crossings_(3 * t.triangle_count()) {
+    const auto triangles = static_cast<HalfEdge>(t.triangle_count());
+    if (threads <= 1) {
+        fill(t, 0, 4 * triangles);
+        return;
+    }
+    tbb::parallel_for(tbb::blocked_range<HalfEdge>(0, triangles, 1024),
+                      [&](const auto& r) { fill(t, 4 * r.begin(), 4 * r.end()); });
+}
+
+void Crossings::fill(const Triangulation& t, HalfEdge begin, HalfEdge end) {
+    for (HalfEdge base = begin; base < end; base += 4) {
         if (!t.is_free(base)) continue;
         std::uint32_t out[3];
         for (HalfEdge i = 0; i < 3; ++i) out[i] = beyond(t, base + i);

@@ -25,7 +25,7 @@ inline constexpr std::uint32_t is_knot_flag = 2;
 /// through its edge i.
 class Crossings {
 public:
-    explicit Crossings(const Triangulation& t);
+    explicit Crossings(const Triangulation& t, unsigned threads = 1);
 
     [[nodiscard]] const Crossing& operator[](std::uint32_t i) const noexcept {
         return crossings_[i];
@@ -42,6 +42,8 @@ public:
     }
 
 private:
+    void fill(const Triangulation& t, HalfEdge begin, HalfEdge end);
+
     std::vector<Crossing> crossings_;
 };
 

@@ -50,6 +50,19 @@ std::uint32_t hilbert_key(std::uint32_t x, std::uint32_t y) {
     return key;
 }
 
+// Sorts by the upper 32 bits, stably: three passes of 11, 11 and 10 bits.
+void sort_by_key(std::vector<std::uint64_t>& entries) {
+    std::vector<std::uint64_t> other(entries.size());
+    for (int shift = 32; shift < 64; shift += 11) {
+        std::array<std::uint32_t, 2049> first{};
+        const auto digit = [shift](std::uint64_t entry) { return entry >> shift & 2047U; };
+        for (const std::uint64_t entry : entries) ++first[digit(entry) + 1];
+        for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        for (const std::uint64_t entry : entries) other[first[digit(entry)]++] = entry;
+        entries.swap(other);
+    }
+}
+
 // Vertices by Hilbert key of their position; equal positions are neighbours, ids ascending.
 std::vector<std::uint64_t> hilbert_order(std::span<const Point2> points, const Box& box) {
     // Scaled before subtracting: the extent of the box may overflow.
@@ -64,7 +77,7 @@ std::vector<std::uint64_t> hilbert_order(std::span<const Point2> points, const B
             hilbert_key(cell(points[i].x, box.x0, width), cell(points[i].y, box.y0, height));
         order[i] = key << 32U | i;
     }
-    std::sort(order.begin(), order.end());
+    sort_by_key(order);
     for (std::size_t i = 0; i < order.size();) {
         std::size_t j = i + 1;
         while (j < order.size() && order[j] >> 32U == order[i] >> 32U) ++j;

@@ -22,11 +22,11 @@ namespace {
 class GraphBuild {
 public:
     GraphBuild(const Triangulation& t, const VisibilityGraphOptions& options, const Limits& limits)
-        : t_(t), options_(options), limits_(limits), crossings_(t) {
+        : t_(t), options_(options), limits_(limits), crossings_(t, options.threads) {
         if (options.tangent_only) corners_.emplace(t);
         const Place places = t.first_constructed() - frame_places;
         // Small enough to share out evenly, large enough to be no burden.
-        block_ = std::clamp<Place>(places / (16 * std::max(1U, options.threads)), 16, 1024);
+        block_ = std::clamp<Place>(places / (64 * std::max(1U, options.threads)), 16, 1024);
         rows_.resize((places + block_ - 1) / block_);
     }
 
