@@ -22,7 +22,7 @@ void expect_equals_reference(const SceneInput2& input, const VisibilityGraphOpti
 
 TEST(VisibilityGraph, equals_the_reference_on_random_scenes) {
     const auto options = testing::graph_options();
-    for (std::uint64_t seed = 0; seed < 8000 && !HasFailure(); ++seed) {
+    for (std::uint64_t seed = 0; seed < 10000 && !HasFailure(); ++seed) {
         const SceneInput2 input = testing::random_scene(seed);
         expect_equals_reference(input, options[0]);
         expect_equals_reference(input, options[1 + seed % (options.size() - 1)]);
