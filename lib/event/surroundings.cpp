@@ -15,6 +15,7 @@ Surroundings::Surroundings(const Scene2& scene) : scene_(&scene), at_(scene.vert
         boxes.push_back(Box2::of(scene[e.source], scene[e.target]));
     const BoxTree tree(boxes);
     std::vector<VertexId> order;
+    order.reserve(scene.vertex_count());
     for (std::uint32_t i = 0; i < scene.vertex_count(); ++i) order.push_back({i});
     std::sort(order.begin(), order.end(),
               [&](VertexId a, VertexId b) { return scene[a] < scene[b]; });

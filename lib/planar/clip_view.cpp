@@ -11,7 +11,7 @@ namespace {
 
 /// The side of the box along which `coordinate` (times `sense`) is at most `bound`.
 struct Side {
-    Rational RationalPoint2::*coordinate;
+    Rational RationalPoint2::* coordinate;
     bool is_upper;
     Rational bound;
 
@@ -114,6 +114,7 @@ std::vector<ViewPoint> clipped_ring(const RationalPoint2& from, std::span<const 
     for (const Side& side : sides_of(box)) points = cut(points, side);
     drop_spikes(points);
     std::vector<ViewPoint> result;
+    result.reserve(points.size());
     for (RationalPoint2& p : points) result.push_back({std::move(p), false});
     result = detail::canonical_form(std::move(result));
     if (result.size() < 3) result.clear();

@@ -113,6 +113,7 @@ std::vector<Needle> find_needles(const Scene2& scene, const Triangulation& t, co
     std::vector<Needle> needles;
     const RationalPoint2& q = polygon.from;
     std::vector<ViewPoint> ring;
+    ring.reserve(polygon.ring.size());
     for (const ViewVertex& v : polygon.ring) ring.push_back(exact_point(scene, q, v));
     std::vector<std::pair<ViewPoint, ViewPoint>> seen;
     for (const Place p : with_walls(t, from, at, followed)) {

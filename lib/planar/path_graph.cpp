@@ -123,7 +123,8 @@ void PathGraphBuilder::add_tangents(PathGraph& graph) {
             for (const Place w : row) add_between(u, w, signs, out);
         }
     };
-    VisibilityGraphOptions row_options{.tangent_only = true, .arithmetic = options_.arithmetic};
+    const VisibilityGraphOptions row_options{.tangent_only = true,
+                                             .arithmetic = options_.arithmetic};
     GraphRows rows(t, view_.crossings, &corners_, row_options);
     block(frame_places, t.first_constructed(), rows, graph.edges, signs_);
     if (options_.tally != nullptr) rows.add_to(*options_.tally);

@@ -76,6 +76,22 @@ HalfEdge PointLocator::start_near(const Point2& p) const {
     return start_[std::size_t{cell(p.y, low_.y, scale_y_)} * side_ + cell(p.x, low_.x, scale_x_)];
 }
 
+namespace {
+
+// Where in the triangle of h, boundary included, a point is: by its sides of h and of the two that follow.
+Location location_in(HalfEdge h, Sign at_h, Sign at_next, Sign at_prev) {
+    using enum Location::Kind;
+    if (at_h == Sign::zero && at_prev == Sign::zero) return {place, h};
+    if (at_h == Sign::zero && at_next == Sign::zero) return {place, next(h)};
+    if (at_next == Sign::zero && at_prev == Sign::zero) return {place, prev(h)};
+    if (at_h == Sign::zero) return {edge, h};
+    if (at_next == Sign::zero) return {edge, next(h)};
+    if (at_prev == Sign::zero) return {edge, prev(h)};
+    return {triangle, h};
+}
+
+}  // namespace
+
 // Visibility walk with the tests in pseudo-random order, which ends in any triangulation.
 Location PointLocator::locate(const Viewpoint& point, Tally* tally) const {
     EdgeSide side(*t_, point);
@@ -95,23 +111,8 @@ Location PointLocator::locate(const Viewpoint& point, Tally* tally) const {
         const Sign at_first = side(first);
         const Sign at_second = at_first == Sign::negative ? Sign::zero : side(second);
         if (at_first != Sign::negative && at_second != Sign::negative) {
-            const Sign at_next = swap ? at_second : at_first;
-            const Sign at_prev = swap ? at_first : at_second;
-            using enum Location::Kind;
-            if (at_h == Sign::zero && at_prev == Sign::zero)
-                found = {place, h};
-            else if (at_h == Sign::zero && at_next == Sign::zero)
-                found = {place, next(h)};
-            else if (at_next == Sign::zero && at_prev == Sign::zero)
-                found = {place, prev(h)};
-            else if (at_h == Sign::zero)
-                found = {edge, h};
-            else if (at_next == Sign::zero)
-                found = {edge, next(h)};
-            else if (at_prev == Sign::zero)
-                found = {edge, prev(h)};
-            else
-                found = {triangle, h};
+            found = swap ? location_in(h, at_h, at_second, at_first)
+                         : location_in(h, at_h, at_first, at_second);
             break;
         }
         h = t_->twin(at_first == Sign::negative ? first : second);

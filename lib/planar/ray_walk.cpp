@@ -103,8 +103,8 @@ bool RayWalk::pass(const Surroundings& s) {
         right_ = right_of_solid_ = s.in_right_free;
     }
     const bool either_of_solid = left_of_solid_ || right_of_solid_;
-    bool left = left_ && out_left && !s.wall_left && !s.solid_left;
-    bool right = right_ && out_right && !s.wall_right && !s.solid_right;
+    const bool left = left_ && out_left && !s.wall_left && !s.solid_left;
+    const bool right = right_ && out_right && !s.wall_right && !s.solid_right;
     const bool solid_left = either_of_solid && s.in_left_free && out_left && !s.solid_left;
     const bool solid_right = either_of_solid && s.in_right_free && out_right && !s.solid_right;
     left_ = left;
@@ -171,6 +171,15 @@ Place RayWalk::cross_triangles(HalfEdge h) {
     return no_index;
 }
 
+// What the ray reaches that leaves a triangle by h or an end of h; nothing when it leaves by another edge.
+std::optional<Place> RayWalk::leave_by(HalfEdge h) {
+    for (const Place end : {t_.origin(h), t_.target(h)})
+        if (side(end) == Sign::zero && is_ahead(end)) return end;
+    if (side(t_.origin(h)) == Sign::negative && side(t_.target(h)) == Sign::positive)
+        return cross_triangles(h);
+    return std::nullopt;
+}
+
 // From a start that is no place: through its triangle, or along its edge.
 Place RayWalk::first_place(const Location& start) {
     if (start.kind == Location::Kind::edge && side(t_.origin(start.half_edge)) == Sign::zero) {
@@ -179,20 +188,13 @@ Place RayWalk::first_place(const Location& start) {
         in_wall_ = wall;
         return to_target ? t_.target(start.half_edge) : t_.origin(start.half_edge);
     }
-    const auto leave = [&](HalfEdge h) {
-        const Sign right = side(t_.origin(h));
-        const Sign left = side(t_.target(h));
-        return right == Sign::negative && left == Sign::positive;
-    };
     for (const HalfEdge base : {start.half_edge, t_.twin(start.half_edge)}) {
         if (base == no_index || (base != start.half_edge && start.kind != Location::Kind::edge))
             continue;
         if (!t_.is_free(base)) continue;
         for (const HalfEdge h : {base, next(base), prev(base)}) {
             if (start.kind == Location::Kind::edge && h == base) continue;
-            if (side(t_.origin(h)) == Sign::zero && is_ahead(t_.origin(h))) return t_.origin(h);
-            if (side(t_.target(h)) == Sign::zero && is_ahead(t_.target(h))) return t_.target(h);
-            if (leave(h)) return cross_triangles(h);
+            if (const std::optional<Place> reached = leave_by(h)) return *reached;
         }
     }
     return no_index;

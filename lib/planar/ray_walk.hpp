@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "planar/point_locator.hpp"
 
 namespace sightline::detail {
@@ -50,6 +52,7 @@ private:
     [[nodiscard]] bool is_ahead(Place p) const;
     [[nodiscard]] bool pass(const Surroundings& s);
     [[nodiscard]] Place cross_triangles(HalfEdge h);
+    [[nodiscard]] std::optional<Place> leave_by(HalfEdge h);
     [[nodiscard]] Place first_place(const Location& start);
     [[nodiscard]] RationalPoint2 exact(const Viewpoint& v) const;
 

@@ -103,7 +103,7 @@ std::vector<double> PathSearch::distances(const Graph& g, std::size_t from, std:
             boost::weight_map(boost::get(&Length::value, g))
                 .distance_map(boost::make_iterator_property_map(distance.begin(), index))
                 .visitor(StopAt(to)));
-    } catch (const Reached&) {
+    } catch (const Reached&) {  // NOLINT(bugprone-empty-catch): how a visitor ends the search
     }
     return distance;
 }

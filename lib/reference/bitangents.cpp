@@ -23,6 +23,7 @@ class PairTest {
 public:
     explicit PairTest(const Scene2& scene) : scene_(scene) {
         std::vector<EdgeId> edges;
+        edges.reserve(scene.edge_count());
         for (std::uint32_t i = 0; i < scene.edge_count(); ++i) edges.push_back({i});
         for (std::uint32_t i = 0; i < scene.vertex_count(); ++i)
             pictures_.emplace_back(scene, edges, scene[VertexId{i}]);
@@ -104,6 +105,7 @@ std::vector<Bitangent> bitangents(const Scene2& scene, const BitangentOptions& o
     const PairTest test(scene);
     const auto n = static_cast<std::uint32_t>(scene.vertex_count());
     std::vector<Owner> owner;
+    owner.reserve(n);
     for (std::uint32_t i = 0; i < n; ++i) owner.push_back(test.owner({i}));
     // Whether a contact of the same two owners lies between.
     const auto is_nearest = [&](VertexId v, VertexId w) {

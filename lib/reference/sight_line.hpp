@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,7 +29,7 @@ private:
     std::vector<VertexId> points_;
 };
 
-enum class Reach { segment, ray };
+enum class Reach : std::uint8_t { segment, ray };
 
 /// A segment pq, or the ray from p through q, with everything that it meets: the law of free
 /// segments (semantics 2.4), word by word.

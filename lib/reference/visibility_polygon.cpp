@@ -154,12 +154,13 @@ std::vector<ViewPoint> Viewer::ring() const {
     }
     std::size_t i = start;
     do {
-        if (is_unbounded(i)) {
+        const Sector& sector = sectors_[i];
+        if (!sector.at_first || !sector.at_last) {  // unbounded: both are missing
             i = add_unbounded_range(i, ring);
             continue;
         }
-        ring.push_back({sectors_[i].at_first->rational(), false});
-        ring.push_back({sectors_[i].at_last->rational(), false});
+        ring.push_back({sector.at_first->rational(), false});
+        ring.push_back({sector.at_last->rational(), false});
         i = next(i);
     } while (i != start);
     return canonical_ring(std::move(ring));

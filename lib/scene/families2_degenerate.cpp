@@ -73,7 +73,7 @@ SceneInput2 grid_with_walls(const Grid& parameters, std::uint64_t seed) {
                     break;  // from side to side
                 case 3:
                     wall(corner, {0, 1});
-                    break;  // a stub
+                    break;  // out of the corner
                 default:
                     break;
             }
