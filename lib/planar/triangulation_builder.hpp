@@ -49,6 +49,8 @@ private:
     Place first_right_ = 0;                 ///< the first place in the right half of the frame
     HalfEdge right_slots_ = 0;              ///< the first triangle of the right half
     std::vector<std::uint32_t> curve_key_;  // a scene place
+    std::vector<HalfEdge> found_;           // a scene edge: where it was an edge at once
+    std::vector<HalfEdge> boundary_;        // the solid sides of all pieces of boundaries
     std::vector<HalfEdge> pending_;
 };
 

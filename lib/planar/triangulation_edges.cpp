@@ -9,11 +9,19 @@
 namespace sightline::detail {
 
 void TriangulationBuilder::insert_edges() {
+    found_.reserve(scene_.edge_count());
     for (const Edge2& e : scene_.edges()) {
         const bool wall = e.kind == EdgeKind2::wall;
         t_.has_walls_ |= wall;
-        insert_edge(t_.place_of(e.source), t_.place_of(e.target),
-                    wall ? Triangulation::wall_bit : Triangulation::boundary_bit);
+        const Place a = t_.place_of(e.source);
+        const Place b = t_.place_of(e.target);
+        const std::uint8_t kind = wall ? Triangulation::wall_bit : Triangulation::boundary_bit;
+        const HalfEdge h = find(a, b);
+        found_.push_back(h);
+        if (h != no_index)
+            set_kind(h, kind);
+        else
+            insert_edge(a, b, kind);
     }
 }
 
@@ -159,6 +167,7 @@ void TriangulationBuilder::label() {
     t_.solid_.assign(t_.origin_.size() / 4, 0);
     pending_.clear();
     for (std::uint32_t e = 0; e < scene_.edge_count(); ++e) label_edge(EdgeId{e});
+    found_ = {};
     flood_solid();
     find_pinches();
 }
@@ -167,7 +176,9 @@ void TriangulationBuilder::label_edge(EdgeId id) {
     const Edge2& edge = scene_[id];
     const Place b = t_.place_of(edge.target);
     for (Place a = t_.place_of(edge.source); a != b;) {
-        HalfEdge h = find(a, b);
+        // Where it was when it entered, unless a later edge's flips moved it.
+        HalfEdge h = found_[id.index()];
+        if (h == no_index || t_.origin_[h] != a || t_.origin_[next(h)] != b) h = find(a, b);
         Place end = b;
         if (h == no_index) {
             static_cast<void>(first_crossed(a, b, end));
@@ -178,6 +189,7 @@ void TriangulationBuilder::label_edge(EdgeId id) {
             if (t_.scene_edge_[h].is_none()) t_.scene_edge_[h] = id;
             if (t_.scene_edge_[g].is_none()) t_.scene_edge_[g] = id;
         } else {
+            boundary_.push_back(h);
             t_.scene_edge_[h] = id;
             EdgeId& outside = t_.scene_edge_[g];
             if (outside.is_none() || scene_[outside].kind == EdgeKind2::wall) outside = id;
@@ -205,8 +217,7 @@ void TriangulationBuilder::flood_solid() {
 void TriangulationBuilder::find_pinches() {
     std::vector<std::uint8_t> sectors(t_.position_.size(), 0);
     t_.pinch_.assign(t_.position_.size(), 0);
-    for (HalfEdge h = 0; h < t_.origin_.size(); ++h) {
-        if ((h & 3U) == 3U || t_.solid_[h >> 2U] == 0 || t_.twin_[h] == no_index) continue;
+    for (const HalfEdge h : boundary_) {  // where a sector of B begins
         if (t_.solid_[t_.twin_[h] >> 2U] != 0) continue;
         if (++sectors[t_.origin_[h]] >= 2) t_.pinch_[t_.origin_[h]] = Triangulation::pinch_bit;
     }

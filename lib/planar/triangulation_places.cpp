@@ -98,6 +98,8 @@ std::vector<std::uint64_t> hilbert_order(std::span<const Point2> points, const B
 // The exponent of the lowest set bit of x, or a large number for 0.
 int lowest_bit(double x) {
     if (x == 0) return 4096;
+    if (std::fabs(x) < 0x1p53 && x == std::trunc(x))  // the common case, quicker
+        return std::countr_zero(static_cast<std::uint64_t>(std::fabs(x)));
     int exponent = 0;
     const double mantissa = std::frexp(x, &exponent);
     const auto digits = static_cast<std::uint64_t>(std::ldexp(std::fabs(mantissa), 53));
