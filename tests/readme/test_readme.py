@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What README.md shows is what happens: its examples run, in its order, in one folder; its links lead somewhere."""
 
+import json
 import os
 import pathlib
 import re
@@ -54,6 +55,17 @@ def test_the_python_example_prints_what_is_shown(folder):
         pytest.skip("built without the Python module")
     code, shown = example(README, "python")
     assert run([sys.executable, "-c", code], folder[0]) == shown
+
+
+def test_the_numbers_under_the_picture_are_those_of_the_map(tmp_path):
+    (caption,) = [line for line in README.splitlines() if line.startswith("The picture is made by")]
+    for options, words in (([], "visibility graph of {} edges"), (["--tangent"], "its {} tangent edges")):
+        out = tmp_path / "graph.json"
+        run([PROGRAM, "graph", ROOT / "experiments/aegean/aegean.geojson", "--world", *options, "-o", out],
+            tmp_path)
+        graph = json.loads(out.read_text())
+        assert f"{graph['scene']['vertices']:,} vertices of coastline" in caption
+        assert words.format(f"{len(graph['result']['edges']):,}") in caption
 
 
 def test_the_readme_is_short():
