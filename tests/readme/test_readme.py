@@ -58,7 +58,7 @@ def test_the_python_example_prints_what_is_shown(folder):
 
 
 def test_the_numbers_under_the_picture_are_those_of_the_map(tmp_path):
-    (caption,) = [line for line in README.splitlines() if line.startswith("The picture is made by")]
+    (caption,) = [line for line in README.splitlines() if "is made by `make demo`" in line]
     for options, words in (([], "visibility graph of {} edges"), (["--tangent"], "its {} tangent edges")):
         out = tmp_path / "graph.json"
         run([PROGRAM, "graph", ROOT / "experiments/aegean/aegean.geojson", "--world", *options, "-o", out],
