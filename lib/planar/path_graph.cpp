@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planar/path_graph.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <memory>
 
 #include "planar/graph_rows.hpp"
 #include "sightline/geom/predicates2.hpp"
@@ -94,6 +99,24 @@ std::array<std::uint32_t, 2> PathNodes::towards(Place p, const Viewpoint& q,
     return {first_[p], first_[p]};
 }
 
+// What one thread works with.
+struct PathGraphBuilder::Worker {
+    explicit Worker(const PathGraphBuilder& b)
+        : rows(b.view_.triangulation, b.view_.crossings, &b.corners_,
+               {.tangent_only = true, .arithmetic = b.options_.arithmetic}),
+          signs(b.view_.triangulation, b.options_.arithmetic) {}
+
+    void add_to(Tally* tally) const {
+        if (tally == nullptr) return;
+        rows.add_to(*tally);
+        signs.add_to(*tally);
+    }
+
+    GraphRows rows;
+    ConeSigns signs;
+    std::vector<Place> row;
+};
+
 PathGraphBuilder::PathGraphBuilder(const ViewScene& view, const ShortestPathOptions& options)
     : view_(view),
       options_(options),
@@ -112,22 +135,38 @@ PathGraph PathGraphBuilder::build(const Standpoint& from, const Standpoint& to) 
     return graph;
 }
 
+// Blocks of places, in parallel when asked; the edges keep the order of the places.
 void PathGraphBuilder::add_tangents(PathGraph& graph) {
-    const Triangulation& t = view_.triangulation;
-    const auto block = [&](Place begin, Place end, GraphRows& rows, std::vector<PathEdge>& out,
-                           ConeSigns& signs) {
-        std::vector<Place> row;
-        for (Place u = begin; u < end; ++u) {
-            row.clear();
-            rows.append(u, row);
-            for (const Place w : row) add_between(u, w, signs, out);
+    constexpr Place block = 256;
+    const Place end = view_.triangulation.first_constructed();
+    std::vector<std::vector<PathEdge>> found((end - frame_places + block - 1) / block);
+    const auto fill = [&](std::size_t i, Worker& worker) {
+        const Place begin = frame_places + static_cast<Place>(i) * block;
+        for (Place u = begin; u < std::min(begin + block, end); ++u) {
+            worker.row.clear();
+            worker.rows.append(u, worker.row);
+            for (const Place w : worker.row) add_between(u, w, worker.signs, found[i]);
         }
     };
-    const VisibilityGraphOptions row_options{.tangent_only = true,
-                                             .arithmetic = options_.arithmetic};
-    GraphRows rows(t, view_.crossings, &corners_, row_options);
-    block(frame_places, t.first_constructed(), rows, graph.edges, signs_);
-    if (options_.tally != nullptr) rows.add_to(*options_.tally);
+    if (options_.threads == 1) {
+        Worker worker(*this);
+        for (std::size_t i = 0; i < found.size(); ++i) fill(i, worker);
+        worker.add_to(options_.tally);
+    } else {
+        tbb::task_arena arena(options_.threads == 0 ? tbb::task_arena::automatic
+                                                    : static_cast<int>(options_.threads));
+        arena.execute([&] {
+            tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers;
+            tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+                auto& worker = workers.local();
+                if (!worker) worker = std::make_unique<Worker>(*this);
+                fill(i, *worker);
+            });
+            for (const auto& worker : workers) worker->add_to(options_.tally);
+        });
+    }
+    for (const auto& edges : found)
+        graph.edges.insert(graph.edges.end(), edges.begin(), edges.end());
 }
 
 void PathGraphBuilder::add_between(Place u, Place w, ConeSigns& signs,

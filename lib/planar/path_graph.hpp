@@ -66,6 +66,8 @@ public:
     [[nodiscard]] PathGraph build(const Standpoint& from, const Standpoint& to);
 
 private:
+    struct Worker;
+
     void add_tangents(PathGraph& graph);
     void add_between(Place u, Place w, ConeSigns& signs, std::vector<PathEdge>& out) const;
     void add_end(PathGraph& graph, const Standpoint& end, std::uint32_t node);

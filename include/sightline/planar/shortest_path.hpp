@@ -12,6 +12,7 @@ namespace sightline {
 
 struct ShortestPathOptions {
     Arithmetic arithmetic = Arithmetic::filtered;
+    /// No effect on the result. 0: one a core.
     unsigned threads = 1;
     Tally* tally = nullptr;
 };
