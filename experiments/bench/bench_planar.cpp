@@ -2,19 +2,23 @@
 // Planar structures on our own families, and CGAL's triangular expansion beside them as the yardstick.
 //
 // Names: graph/<family>/<n>/<full|tangent>/<nearest|all>/<arithmetic>/<threads>,
-//        view/<family>/<n>[/exact|/canonical], path/…, triangulation/…, cgal_every_vertex/…, cgal_view/…
+//        view/<family>/<n>[/exact|/canonical], path/…, triangulation/…, sort_directions/…, cgal_every_vertex/…,
+//        cgal_view/…
 // Times of one thread are processor time, those of two elapsed time.
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "common/expansion_cgal.hpp"
 #include "common/measure.hpp"
 #include "common/scenes.hpp"
+#include "geom/orientation_tiers.hpp"
 #include "planar/triangulation.hpp"
 #include "sightline/planar/exact_points.hpp"
 #include "sightline/planar/shortest_path.hpp"
@@ -54,6 +58,24 @@ void graph(State& state, const std::string& family, std::size_t n,
     state.counters["s_per_edge"] = benchmark::Counter(
         static_cast<double>(edges),
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+// What every angular sweep starts with: the vertices of a half-plane round each vertex, sorted by
+// direction with the exact filtered predicate. No sweep can be faster than this.
+void sort_directions(State& state, const std::string& family, std::size_t n) {
+    const std::span<const Point2> points = scene_of(family, n).vertices();
+    std::vector<Point2> around;
+    for (auto _ : state) {
+        for (const Point2& v : points) {
+            around.clear();
+            for (const Point2& p : points)
+                if (v < p) around.push_back(p);
+            std::sort(around.begin(), around.end(), [&v](const Point2& p, const Point2& q) {
+                return detail::orientation(v, p, q).sign == Sign::positive;
+            });
+            benchmark::DoNotOptimize(around.data());
+        }
+    }
 }
 
 enum class Coordinates { none, exact, canonical };
@@ -185,6 +207,9 @@ void add_rest(const Family& family, std::size_t n) {
         cgal_view(s, name, n);
     })->Unit(benchmark::kMicrosecond);
     if (n > 1000) return;
+    add("sort_directions" + label, [=](State& s) {
+        sort_directions(s, name, n);
+    })->Unit(benchmark::kMillisecond);
     add("cgal_every_vertex" + label, [=](State& s) {
         cgal_every_vertex(s, name, n);
     })->Unit(benchmark::kMillisecond);

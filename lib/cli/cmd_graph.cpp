@@ -129,7 +129,7 @@ void add_graph(Program& program) {
         ->check(CLI::IsMember({"nearest", "all"}))
         ->type_name("RULE");
     app.add_flag("--tangent", arguments->tangent,
-                 "only edges that are tangent at both ends: enough for shortest paths");
+                 "only edges that are tangent at both ends");
     app.add_option("--add", arguments->add, "a further vertex; repeatable")
         ->type_name("X,Y")
         ->take_all()

@@ -101,7 +101,7 @@ void bind_graph(py::module_& module) {
                R"(The visibility graph: which vertices of the scene see each other.
 
 collinear   "nearest": along one line a vertex sees the next vertex only; "all": every one behind it
-tangent     only edges that are locally tangent at both ends: enough for shortest paths
+tangent     only edges that are locally tangent at both ends
 body_edges  whether edges along the boundary of a body are edges of the graph
 arithmetic  "filtered" and "exact" are always right; "interval" and "double" may be wrong
 threads     0: one a core; the result is the same
