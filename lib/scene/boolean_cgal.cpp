@@ -3,9 +3,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_set_2.h>
 
+#include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "scene/boolean.hpp"
+#include "scene/box_tree.hpp"
+#include "sightline/geom/predicates2.hpp"
 
 namespace sightline::detail {
 namespace {
@@ -18,8 +22,7 @@ using CgalSet = CGAL::Polygon_set_2<Kernel>;
 CgalRing to_cgal(const Ring2& ring, bool counter_clockwise) {
     CgalRing result;
     for (const Point2& p : ring) result.push_back(Kernel::Point_2(p.x, p.y));
-    // The area's sign: CGAL's own orientation wants rings that do not touch themselves.
-    if ((result.area() > 0) != counter_clockwise) result.reverse_orientation();
+    if (result.is_counterclockwise_oriented() != counter_clockwise) result.reverse_orientation();
     return result;
 }
 
@@ -27,6 +30,69 @@ CgalPolygon to_cgal(const Polygon2& polygon) {
     CgalPolygon result(to_cgal(polygon.outer, true));
     for (const Ring2& hole : polygon.holes) result.add_hole(to_cgal(hole, false));
     return result;
+}
+
+/// The ring with a vertex wherever one of its vertices lies on one of its edges.
+Ring2 with_touching_vertices(const Ring2& ring) {
+    std::vector<Box2> boxes;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        boxes.push_back(Box2::of(ring[i], ring[(i + 1) % ring.size()]));
+    std::vector<std::vector<Point2>> inside(ring.size());  // an edge
+    const BoxTree tree(boxes);
+    for (const Point2& p : ring)
+        tree.query(
+            Box2::of(p, p), [](const Box2&) { return true; },
+            [&](std::uint32_t i) {
+                const Segment2 edge{ring[i], ring[(i + 1) % ring.size()]};
+                if (p != edge.source && p != edge.target && is_on(edge, p)) inside[i].push_back(p);
+            });
+    Ring2 result;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        result.push_back(ring[i]);
+        std::vector<Point2>& along = inside[i];
+        std::sort(along.begin(), along.end());
+        along.erase(std::unique(along.begin(), along.end()), along.end());
+        if (ring[(i + 1) % ring.size()] < ring[i]) std::reverse(along.begin(), along.end());
+        result.insert(result.end(), along.begin(), along.end());
+    }
+    return result;
+}
+
+/// Cuts a ring that touches itself into rings that do not. Each point is inside of an odd number of them
+/// when it is inside of the ring.
+std::vector<Ring2> simple_loops(const Ring2& ring) {
+    std::vector<Ring2> loops;
+    Ring2 open;
+    std::map<Point2, std::size_t> at;  // where in `open` a point is
+    for (const Point2& p : with_touching_vertices(ring)) {
+        const auto [found, is_new] = at.try_emplace(p, open.size());
+        if (!is_new) {
+            const auto first = open.begin() + static_cast<std::ptrdiff_t>(found->second);
+            loops.emplace_back(first, open.end());
+            for (auto it = first + 1; it != open.end(); ++it) at.erase(*it);
+            open.erase(first + 1, open.end());
+            continue;
+        }
+        open.push_back(p);
+    }
+    loops.push_back(std::move(open));
+    return loops;
+}
+
+/// A valid polygon as a set. CGAL wants rings that do not touch themselves.
+CgalSet to_set(const Polygon2& polygon) {
+    std::vector<std::vector<Ring2>> rings{simple_loops(polygon.outer)};
+    for (const Ring2& hole : polygon.holes) rings.push_back(simple_loops(hole));
+    CgalSet set;
+    if (std::all_of(rings.begin(), rings.end(), [](const auto& r) { return r.size() == 1; })) {
+        set.insert(to_cgal(polygon));
+        return set;
+    }
+    std::vector<CgalRing> loops;
+    for (const auto& ring : rings)
+        for (const Ring2& loop : ring) loops.push_back(to_cgal(loop, true));
+    set.symmetric_difference(loops.begin(), loops.end());
+    return set;
 }
 
 /// The nearest double; counts in `inexact` when that is not the number itself.
@@ -63,17 +129,17 @@ BooleanResult from_cgal(const CgalSet& set) {
 }  // namespace
 
 BooleanResult unite(const std::vector<Polygon2>& polygons) {
-    std::vector<CgalPolygon> given;
-    for (const Polygon2& polygon : polygons) given.push_back(to_cgal(polygon));
+    std::vector<CgalPolygon> parts;
+    for (const Polygon2& polygon : polygons)
+        to_set(polygon).polygons_with_holes(std::back_inserter(parts));
     CgalSet set;
-    set.join(given.begin(), given.end());
+    set.join(parts.begin(), parts.end());
     return from_cgal(set);
 }
 
 BooleanResult clip(const Polygon2& polygon, const Ring2& ring) {
-    CgalSet set;
-    set.insert(to_cgal(polygon));
-    set.intersection(to_cgal(ring, true));
+    CgalSet set = to_set(polygon);
+    set.intersection(to_set({ring, {}}));
     return from_cgal(set);
 }
 

@@ -100,6 +100,39 @@ TEST(Repair, ClipsBodiesToTheWorld) {
     EXPECT_TRUE(result->scene.has_world());
 }
 
+Rational twice_area(const Scene2& scene) {
+    Rational sum;
+    for (const Edge2& e : scene.edges()) {
+        const RationalPoint2 p = to_rational(scene[e.source]);
+        const RationalPoint2 q = to_rational(scene[e.target]);
+        sum += p.x * q.y - q.x * p.y;
+    }
+    return sum;
+}
+
+TEST(Repair, MergesRingsThatTouchThemselves) {
+    struct Case {
+        const char* text;
+        const char* twice_area;
+    };
+    // In a vertex outside, in a vertex inside, in a hole, in the middle of an edge; with a box each.
+    const Case cases[] = {
+        {"POLYGON ((0 0, 2 0, 2 2, 4 2, 4 4, 2 4, 2 2, 0 2)) POLYGON ((1 1, 3 1, 3 3, 1 3))", "20"},
+        {"POLYGON ((0 0, 8 0, 8 8, 0 8, 4 4, 1 5, 1 3, 4 4)) POLYGON ((7 3, 9 3, 9 5, 7 5))",
+         "106"},
+        {"POLYGON ((0 0, 9 0, 9 9, 0 9), (2 2, 4 2, 4 4, 6 4, 6 6, 4 6, 4 4, 2 4)) "
+         "POLYGON ((3 3, 12 3, 12 5, 3 5))",
+         "164"},
+        {"POLYGON ((0 0, 4 0, 8 0, 8 8, 6 8, 4 0, 2 8, 0 8)) POLYGON ((1 1, 7 1, 7 2, 1 2))",
+         "195/2"},
+        {"POLYGON ((0 0, 8 0, 8 8, 5 8, 4 0, 3 8, 0 8)) POLYGON ((1 1, 7 1, 7 2, 1 2))", "451/4"}};
+    for (const Case& c : cases) {
+        const auto result = repaired(c.text);
+        ASSERT_TRUE(result) << c.text << ": " << result.error().message;
+        EXPECT_EQ(twice_area(result->scene).to_string(), c.twice_area) << c.text;
+    }
+}
+
 TEST(Repair, SaysWhatItCannotMend) {
     EXPECT_EQ(repaired("POLYGON ((0 0, 2 2, 2 0, 0 2))").error().code, Errc::self_intersection);
     EXPECT_EQ(repaired("POLYGON ((0 0, 2 0, 0 2)) POLYGON ((10 0, 12 2, 12 0, 10 2))").error().code,
