@@ -68,7 +68,8 @@ Result<Standpoint> stand_at(const Scene2& scene, const ViewScene& view, const Vi
         return fail(
             Errc::outside_of_world,
             "point " + text_of(q) + " lies outside the world; choose a point inside its boundary");
-    return fail(Errc::inside_body, "point " + text_of(q) + " lies inside body " + to_string(body) +
+    return fail(Errc::inside_body, "point " + text_of(q) + " lies inside body " +
+                                       std::to_string(body.index()) +
                                        "; choose a point outside the bodies");
 }
 

@@ -242,11 +242,11 @@ SCENES = [
 
 NO_ANSWER = [
     ("view from inside a body", "view2 boxes.scene --from 1/2,1/2", {}, "",
-     "sightline: --from 1/2,1/2: point (1/2, 1/2) lies inside body b0; choose a point outside the bodies"),
+     "sightline: --from 1/2,1/2: point (1/2, 1/2) lies inside body 0; choose a point outside the bodies"),
     ("view from outside of the world", "view2 room.scene --from 9,9", {"room.scene": "world\npolygon 0 0, 4 0, 4 4, 0 4\n"}, "",
      "sightline: --from 9,9: point (9, 9) lies outside the world; choose a point inside its boundary"),
     ("path from inside a body", "path boxes.scene --from 1/2,1/2 --to 9,9", {}, "",
-     "sightline: point (1/2, 1/2) lies inside body b0; choose a point outside the bodies"),
+     "sightline: point (1/2, 1/2) lies inside body 0; choose a point outside the bodies"),
     ("path to outside of the world", "path room.scene --from 1,1 --to 9,9", {"room.scene": "world\npolygon 0 0, 4 0, 4 4, 0 4\n"}, "",
      "sightline: point (9, 9) lies outside the world; choose a point inside its boundary"),
     ("added point inside a body", "graph boxes.scene --add 2,2 --add 1/2,1/2", {}, "",
