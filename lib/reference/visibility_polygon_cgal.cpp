@@ -27,6 +27,7 @@ Kernel::Point_2 to_cgal(const RationalPoint2& p) { return {to_cgal(p.x), to_cgal
 Rational from_cgal(const Kernel::FT& x) {
     std::ostringstream text;
     text << CGAL::exact(x);
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): what GMP prints is a fraction
     return *Rational::parse(text.str());
 }
 

@@ -35,6 +35,7 @@ CgalPolygon to_cgal(const Polygon2& polygon) {
 /// The ring with a vertex wherever one of its vertices lies on one of its edges.
 Ring2 with_touching_vertices(const Ring2& ring) {
     std::vector<Box2> boxes;
+    boxes.reserve(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
         boxes.push_back(Box2::of(ring[i], ring[(i + 1) % ring.size()]));
     std::vector<std::vector<Point2>> inside(ring.size());  // an edge
@@ -97,6 +98,7 @@ CgalSet to_set(const Polygon2& polygon) {
 
 /// The nearest double; counts in `inexact` when that is not the number itself.
 double nearest(const Kernel::FT& x, bool& inexact) {
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): what GMP prints is a fraction
     const Rational exact = Rational::parse(CGAL::exact(x).get_str()).value();
     const double value = exact.approx_double();
     inexact = inexact || Rational(value) != exact;

@@ -257,12 +257,14 @@ private:
         if (last - first < 3) return;
         std::vector<std::pair<std::uint32_t, std::uint32_t>>
             round;  // (edge, chain), counter-clockwise
+        round.reserve(right_.size() + left_.size());
         for (const std::uint32_t e : right_) round.emplace_back(e, chain_of(e, p));
         for (const std::uint32_t e : left_) round.emplace_back(e, chain_of(e, p));
         // Left-going edges stand bottom to top; counter-clockwise after the right
         // ones is top to bottom.
         std::reverse(round.begin() + static_cast<std::ptrdiff_t>(right_.size()), round.end());
         std::vector<Owner> owners;
+        owners.reserve(round.size());
         for (const auto& [e, chain] : round) owners.push_back(edge(e).owner);
         std::sort(owners.begin(), owners.end());
         owners.erase(std::unique(owners.begin(), owners.end()), owners.end());

@@ -41,7 +41,7 @@ public:
     FaultDescriber(const SceneLayout& layout, const SweepFault& fault)
         : layout_(layout), fault_(fault) {}
 
-    Error describe() const {
+    [[nodiscard]] Error describe() const {
         switch (fault_.kind) {
             case SweepFault::Kind::crossing:
                 return pair_error("crosses", fault_.first, fault_.second);
@@ -64,7 +64,7 @@ private:
         return {code, layout_.origin(chain.element) + std::move(text)};
     }
 
-    Error pair_error(std::string_view verb, std::uint32_t a, std::uint32_t b) const {
+    [[nodiscard]] Error pair_error(std::string_view verb, std::uint32_t a, std::uint32_t b) const {
         if (a > b) std::swap(a, b);
         const ChainRecord& chain = layout_.chain_of_edge(a);
         const Verdict verdict = conflict(owner_of(layout_.edges[a]), owner_of(layout_.edges[b]));
@@ -87,7 +87,7 @@ private:
     }
 
     /// A ring begins where its outside should not be.
-    Error nesting_error(const ChainRecord& ring) const {
+    [[nodiscard]] Error nesting_error(const ChainRecord& ring) const {
         if (ring.is_body_hole) return hole_error(ring);
         const Owner here = fault_.first == no_edge ? free_space : owner_above(fault_.first);
         const std::string name = layout_.name_of_vertex(least_vertex(ring));
@@ -116,7 +116,7 @@ private:
                     fmt::format("{}: lies inside {}: {}", name, body_name(here), verdict.what));
     }
 
-    Error hole_error(const ChainRecord& ring) const {
+    [[nodiscard]] Error hole_error(const ChainRecord& ring) const {
         const VertexId v = least_vertex(ring);
         const Point2& p = layout_.vertices[v.index()];
         for (const ChainRecord& other : layout_.chains) {
@@ -134,7 +134,7 @@ private:
     }
 
     /// Boundaries meet in one place and do not fit together there.
-    Error place_error() const {
+    [[nodiscard]] Error place_error() const {
         const std::uint32_t named = fault_.second != no_edge ? fault_.second : fault_.first;
         const Point2& p = layout_.vertices[fault_.place.index()];
         std::uint32_t other = no_edge;

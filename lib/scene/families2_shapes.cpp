@@ -60,7 +60,7 @@ SceneInput2 facing_combs(const Comb& parameters, std::uint64_t seed) {
     const std::int64_t width = static_cast<std::int64_t>(parameters.teeth - 1) * tooth_pitch + 3;
     for (IntPoint& p : upper) p = {width + 4 - p.x, tooth_reach + 8 - p.y};
     SceneInput2 scene;
-    IntRing world = box(-8, -8, width + 12, tooth_reach + 16);
+    const IntRing world = box(-8, -8, width + 12, tooth_reach + 16);
     if (parameters.world) scene.elements.emplace_back(to_polygon(world));
     scene.world = parameters.world;
     scene.elements.emplace_back(to_polygon(lower));

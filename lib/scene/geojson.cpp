@@ -84,7 +84,7 @@ struct GeoObject {
 
 class GeoJsonHandler {
 public:
-    using json = nlohmann::json;
+    using Json = nlohmann::json;
 
     GeoJsonHandler(const Progress& progress, const ReadOptions& options)
         : at_(progress), options_(options) {
@@ -105,12 +105,12 @@ public:
             input_.world = input_.world || value;
         return scalar("a truth value");
     }
-    bool number_integer(json::number_integer_t value) { return number(static_cast<double>(value)); }
-    bool number_unsigned(json::number_unsigned_t value) {
+    bool number_integer(Json::number_integer_t value) { return number(static_cast<double>(value)); }
+    bool number_unsigned(Json::number_unsigned_t value) {
         return number(static_cast<double>(value));
     }
-    bool number_float(json::number_float_t value, const std::string&) { return number(value); }
-    bool binary(json::binary_t&) { return scalar("binary data"); }
+    bool number_float(Json::number_float_t value, const std::string&) { return number(value); }
+    bool binary(Json::binary_t&) { return scalar("binary data"); }
 
     bool string(std::string& value) {
         if (skipped_ == 0 && brackets_ == 0 && in_object() && key_ == "type") {
@@ -434,6 +434,7 @@ Result<SceneInput2> read_geojson(std::string_view text, const ReadOptions& optio
     const CountingIterator end(progress.end, &progress);
     if (nlohmann::json::sax_parse(begin, end, &handler)) return handler.take();
     if (!handler.error()) handler.refuse(Errc::syntax, "the text is not GeoJSON; mend it there");
+    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): refuse() sets it
     return tl::unexpected(*handler.error());
 }
 

@@ -83,7 +83,7 @@ private:
         for (std::size_t i = 0; i < order.size();) {
             std::size_t j = i + 1;
             while (j < order.size() && scene_[order[j]] == scene_[order[i]]) ++j;
-            if (j - i > 1) info_.coincident.emplace_back(order.begin() + i, order.begin() + j);
+            if (j - i > 1) info_.coincident.emplace_back(order.data() + i, order.data() + j);
             i = j;
         }
         std::sort(info_.coincident.begin(), info_.coincident.end());
@@ -198,10 +198,10 @@ private:
         const double change = 4 * (ulp(b.x) * std::abs(c.y - a.y) + ulp(b.y) * std::abs(c.x - a.x));
         const double area = std::abs((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x));
         if (!(area <= 64 * change)) return false;
-        const auto A = to_rational(a);
-        const auto B = to_rational(b);
-        const auto C = to_rational(c);
-        const Rational exact = abs((B.x - A.x) * (C.y - B.y) - (B.y - A.y) * (C.x - B.x));
+        const RationalPoint2 p = to_rational(a);
+        const RationalPoint2 q = to_rational(b);
+        const RationalPoint2 r = to_rational(c);
+        const Rational exact = abs((q.x - p.x) * (r.y - q.y) - (q.y - p.y) * (r.x - q.x));
         return exact.approx_double() <= change;
     }
 

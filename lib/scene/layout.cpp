@@ -66,8 +66,8 @@ private:
         }
     }
 
-    ChainRecord begin_chain(ChainRecord::Kind kind, std::uint32_t element,
-                            std::uint32_t hole) const {
+    [[nodiscard]] ChainRecord begin_chain(ChainRecord::Kind kind, std::uint32_t element,
+                                          std::uint32_t hole) const {
         ChainRecord chain;
         chain.kind = kind;
         chain.element = element;

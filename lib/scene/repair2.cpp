@@ -211,6 +211,7 @@ private:
             return i;
         };
         std::vector<detail::Box2> boxes;
+        boxes.reserve(bodies.size());
         for (const Body& body : bodies) boxes.push_back(box_of(body.polygon));
         const detail::BoxTree tree(boxes);
         for (std::size_t i = 0; i < bodies.size(); ++i) {

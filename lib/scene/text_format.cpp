@@ -20,6 +20,7 @@ public:
 
     Result<SceneInput2> run() {
         for (cursor_.skip_space(); !cursor_.at_end(); cursor_.skip_space()) {
+            // NOLINTNEXTLINE(bugprone-unchecked-optional-access): a line that fails leaves its error
             if (!line()) return tl::unexpected(*cursor_.error());
             cursor_.report_progress();
         }

@@ -58,6 +58,7 @@ SceneInput2 to_input(const Scene2& scene) {
     add_walls(scene, placed);
     for (const VertexId v : scene.points()) placed.push_back({v.value, scene[v]});
     std::vector<std::pair<std::uint32_t, std::size_t>> order;
+    order.reserve(placed.size());
     for (std::size_t i = 0; i < placed.size(); ++i) order.emplace_back(placed[i].first, i);
     std::sort(order.begin(), order.end());
     SceneInput2 input;
