@@ -125,6 +125,7 @@ Result<bool> is_right(const ResultFile& result, const ExactView& view, const Sce
     const auto right = reference::visibility_polygon(scene, view.from, options);
     if (!right) return tl::unexpected(right.error());
     std::vector<reference::SeenSegment> needles;
+    needles.reserve(view.needles.size());
     for (const auto& [near, far] : view.needles) needles.push_back({near, far});
     std::sort(needles.begin(), needles.end());
     return view.ring == right->ring && (!with_needles || needles == right->needles);

@@ -6,6 +6,7 @@ namespace sightline::viz {
 
 void add_view(DrawList& list, const Scene2& scene, const VisibilityPolygon& polygon) {
     std::vector<NeedlePoints> needles;
+    needles.reserve(polygon.needles.size());
     for (const auto& [near, far] : polygon.needles) {
         needles.emplace_back(exact_point(scene, polygon.from, near),
                              exact_point(scene, polygon.from, far));
