@@ -128,8 +128,7 @@ void add_graph(Program& program) {
                    "of several vertices on one line of sight, join the nearest (default) or all")
         ->check(CLI::IsMember({"nearest", "all"}))
         ->type_name("RULE");
-    app.add_flag("--tangent", arguments->tangent,
-                 "only edges that are tangent at both ends");
+    app.add_flag("--tangent", arguments->tangent, "only edges that are tangent at both ends");
     app.add_option("--add", arguments->add, "a further vertex; repeatable")
         ->type_name("X,Y")
         ->take_all()

@@ -30,7 +30,7 @@ void on_signal(int /*signal*/) {
 }  // namespace
 
 void handle_interruptions() {
-    struct sigaction action {};
+    struct sigaction action{};
     action.sa_handler = on_signal;
     sigfillset(&action.sa_mask);
     ::sigaction(SIGINT, &action, nullptr);

@@ -33,7 +33,10 @@ public:
     void value(const char* text) { value(std::string_view(text)); }
     void value(bool truth) { raw(truth ? "true" : "false"); }
     template <std::unsigned_integral Integer>
-    requires(!std::same_as<Integer, bool>) void value(Integer number) { whole(number); }
+        requires(!std::same_as<Integer, bool>)
+    void value(Integer number) {
+        whole(number);
+    }
     /// The shortest decimal that reads back to the same double; null when it isn't finite.
     void value(double number);
     /// A small tree, on one line.

@@ -41,7 +41,7 @@ template <typename Evaluate>
             if (const auto sign = interval_sign_of(evaluate)) return {*sign, Tier::interval};
             return {};
         case Arithmetic::double_:
-            return {sign_of(evaluate.template operator()<double>()), Tier::filter};
+            return { sign_of(evaluate.template operator()<double>()), Tier::filter };
         case Arithmetic::exact:
             break;
     }

@@ -13,7 +13,8 @@
 #if defined(BOOST_VERSION) || defined(BOOST_CONFIG_HPP) || defined(BOOST_COMPILER)
 #error "leak: Boost"
 #endif
-#if defined(VTK_MAJOR_VERSION) || defined(VTKABI_H) || defined(vtkSystemIncludes_h) || defined(vtkConfigure_h)
+#if defined(VTK_MAJOR_VERSION) || defined(VTKABI_H) || defined(vtkSystemIncludes_h) || \
+    defined(vtkConfigure_h)
 #error "leak: VTK"
 #endif
 #if defined(TBB_VERSION_MAJOR) || defined(__TBB_version_H)

@@ -33,9 +33,8 @@ inline rc::Gen<double> coordinates() {
 /// Points whose sums and small multiples are exact; of the whole grid from the first test on.
 inline rc::Gen<Point2> grid_points(int n = 4) {
     const auto coordinate = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-n, n + 1));
-    return rc::gen::map(rc::gen::pair(coordinate, coordinate), [](const auto& p) {
-        return Point2{double(p.first), double(p.second)};
-    });
+    return rc::gen::map(rc::gen::pair(coordinate, coordinate),
+                        [](const auto& p) { return Point2{double(p.first), double(p.second)}; });
 }
 
 /// A double moved by some units in the last place.

@@ -125,10 +125,11 @@ namespace rc {
 template <>
 struct Arbitrary<sightline::Point2> {
     static Gen<sightline::Point2> arbitrary() {
-        return gen::map(gen::pair(gen::inRange(0, 6), gen::inRange(0, 6)), [](std::pair<int, int>
-                                                                                  xy) {
-            return sightline::Point2{static_cast<double>(xy.first), static_cast<double>(xy.second)};
-        });
+        return gen::map(gen::pair(gen::inRange(0, 6), gen::inRange(0, 6)),
+                        [](std::pair<int, int> xy) {
+                            return sightline::Point2{static_cast<double>(xy.first),
+                                                     static_cast<double>(xy.second)};
+                        });
     }
 };
 

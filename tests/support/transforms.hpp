@@ -35,21 +35,11 @@ inline SceneInput2 mapped(SceneInput2 input, const std::function<Point2(const Po
 /// Maps that are exact on small integers and keep or mirror all orientations.
 inline std::vector<std::function<Point2(const Point2&)>> exact_maps() {
     return {
-        [](const Point2& p) {
-            return Point2{p.x + 1024, p.y - 512};
-        },
-        [](const Point2& p) {
-            return Point2{p.x * 0x1p-300, p.y * 0x1p-300};
-        },
-        [](const Point2& p) {
-            return Point2{p.x * 0x1p+400, p.y * 0x1p+400};
-        },
-        [](const Point2& p) {
-            return Point2{-p.x, p.y};
-        },
-        [](const Point2& p) {
-            return Point2{p.y, p.x};
-        },
+        [](const Point2& p) { return Point2{p.x + 1024, p.y - 512}; },
+        [](const Point2& p) { return Point2{p.x * 0x1p-300, p.y * 0x1p-300}; },
+        [](const Point2& p) { return Point2{p.x * 0x1p+400, p.y * 0x1p+400}; },
+        [](const Point2& p) { return Point2{-p.x, p.y}; },
+        [](const Point2& p) { return Point2{p.y, p.x}; },
         [](const Point2& p) {
             return Point2{p.x, p.x + p.y};
         },  // shear: affine maps keep visibility

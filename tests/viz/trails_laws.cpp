@@ -15,11 +15,8 @@ GridSegment ordered(GridSegment s) {
 
 std::vector<GridSegment> some_segments() {
     const auto coordinate = rc::gen::inRange<std::int32_t>(0, 4);
-    const auto point = rc::gen::apply(
-        [](int x, int y) {
-            return GridPoint{x, y};
-        },
-        coordinate, coordinate);
+    const auto point =
+        rc::gen::apply([](int x, int y) { return GridPoint{x, y}; }, coordinate, coordinate);
     return *rc::gen::container<std::vector<GridSegment>>(rc::gen::pair(point, point));
 }
 

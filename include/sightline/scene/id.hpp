@@ -29,9 +29,15 @@ template <typename Tag>
     return id.is_none() ? std::string{Tag::letter} + "-" : Tag::letter + std::to_string(id.value);
 }
 
-struct BodyTag { static constexpr char letter = 'b'; };
-struct VertexTag { static constexpr char letter = 'v'; };
-struct EdgeTag { static constexpr char letter = 'e'; };
+struct BodyTag {
+    static constexpr char letter = 'b';
+};
+struct VertexTag {
+    static constexpr char letter = 'v';
+};
+struct EdgeTag {
+    static constexpr char letter = 'e';
+};
 
 using BodyId = Id<BodyTag>;
 using VertexId = Id<VertexTag>;

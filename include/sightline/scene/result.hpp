@@ -85,8 +85,9 @@ namespace detail {
 
 }  // namespace sightline
 
-#define SIGHTLINE_EXPECT(cond) \
-    ((cond) ? static_cast<void>(0) : ::sightline::detail::contract_violated(#cond, __FILE__, __LINE__))
+#define SIGHTLINE_EXPECT(cond)     \
+    ((cond) ? static_cast<void>(0) \
+            : ::sightline::detail::contract_violated(#cond, __FILE__, __LINE__))
 
 #ifdef SIGHTLINE_AUDITS
 #define SIGHTLINE_AUDIT(cond) SIGHTLINE_EXPECT(cond)
