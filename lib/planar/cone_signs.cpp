@@ -88,31 +88,20 @@ CertifiedSign ConeSigns::decide(const Viewpoint& from, const Limit& limit, Place
 
 Sign ConeSigns::side(const Viewpoint& from, const Limit& limit, Place p) {
     const CertifiedSign s = decide(from, limit, p);
-    switch (s.decided_by) {
-        case Tier::filter:
-            ++late_.filter;
-            break;
-        case Tier::interval:
-            ++late_.interval;
-            break;
-        case Tier::exact:
-            ++late_.exact;
-            break;
-        case Tier::undecided:
-            ++late_.undecided;
-            break;
-    }
-    ++late_.calls;
+    Tier tier = s.decided_by;
+    // What needs no arithmetic (an axis direction, the limit's own place) counts for the policy.
+    if (tier == Tier::filter && arithmetic_ == Arithmetic::exact) tier = Tier::exact;
+    if (tier == Tier::filter && arithmetic_ == Arithmetic::interval) tier = Tier::interval;
+    late_.add(Predicate::orientation2, tier);
     return s.sign;
 }
 
 void ConeSigns::add_to(Tally& tally) const noexcept {
+    const TierCounts& late = late_[Predicate::orientation2];
     TierCounts& counts = tally[Predicate::orientation2];
-    counts.calls += calls_;
-    counts.filter += calls_ - (late_.calls - late_.filter);
-    counts.interval += late_.interval;
-    counts.exact += late_.exact;
-    counts.undecided += late_.undecided;
+    counts += late;
+    counts.calls += calls_ - late.calls;
+    counts.filter += calls_ - late.calls;
 }
 
 }  // namespace sightline::detail

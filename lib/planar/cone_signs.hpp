@@ -65,7 +65,7 @@ private:
     const Triangulation& t_;
     Arithmetic arithmetic_;
     std::uint64_t calls_ = 0;
-    TierCounts late_;
+    Tally late_;  ///< of the calls that the first filter has not decided
 };
 
 }  // namespace sightline::detail

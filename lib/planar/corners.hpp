@@ -49,9 +49,12 @@ public:
                 dx * (c.first_position.y - v.position.y) - dy * (c.first_position.x - v.position.x);
             const double last =
                 dx * (c.last_position.y - v.position.y) - dy * (c.last_position.x - v.position.x);
-            signs.count(2);
-            if (first > bound ? last > bound : first < -bound && last < -bound) return true;
-            if ((first > bound && last < -bound) || (first < -bound && last > bound)) return false;
+            const bool left_of_first = first > bound;
+            const bool left_of_last = last > bound;
+            if ((left_of_first || first < -bound) && (left_of_last || last < -bound)) {
+                signs.count(2);
+                return left_of_first == left_of_last;
+            }
         }
         return is_tangent(v, w, signs);
     }

@@ -66,6 +66,7 @@ private:
     ConeSigns& signs_;
     Visitor& visitor_;
     double bound_ = 0;
+    std::uint64_t unasked_ = 0;  ///< signs that careful steps had no need of
     Viewpoint from_;
     std::vector<Cone> stack_;
 };
@@ -86,7 +87,8 @@ void Expansion<Visitor>::expand(const Cone& start) {
             if ((cone.crossing & blocked_bit) != 0) stop(cone.crossing & ~blocked_bit, cone);
         }
     }
-    signs_.count(2 * steps);
+    signs_.count(2 * steps - unasked_);
+    unasked_ = 0;
 }
 
 template <typename Visitor>
@@ -120,6 +122,7 @@ template <typename Visitor>
                                                            Cone& cone) {
     const Sign left = signs_.side(from_, cone.left, c.apex);
     if (left != Sign::negative) {
+        ++unasked_;
         cone.left.touches = left == Sign::zero;
         if (left == Sign::zero) visitor_.on_limit(c, cone.left);
         leave(c, true, cone);
