@@ -33,6 +33,10 @@ namespace sightline::detail {
     return orientation_after_filter(a, b, c);
 }
 
+/// Orientation with a rational point, under an arithmetic chosen at run time. Not inlined.
+[[nodiscard]] CertifiedSign orientation_to(Arithmetic arithmetic, const Point2& a, const Point2& b,
+                                           const RationalPoint2& c);
+
 /// The sign of a polynomial under an arithmetic fixed at compile time.
 template <Arithmetic arithmetic>
 [[nodiscard]] inline CertifiedSign sign_by(const ProductDifference<double>& f) {

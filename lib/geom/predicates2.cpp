@@ -46,6 +46,14 @@ SegmentCrossing collinear_crossing(const Segment2& s, const Segment2& t) {
                   : SegmentCrossing::second_ends_inside_first;
 }
 
+CertifiedSign orientation_to(Arithmetic arithmetic, const Point2& a, const Point2& b,
+                             const RationalPoint2& c) {
+    const EnclosedPoint2 point(c);
+    return polynomial_sign(arithmetic, [&]<typename Number>() -> Number {
+        return homogeneous_orientation<Number>(a, b, point);
+    });
+}
+
 }  // namespace detail
 
 Sign orientation(const Point2& a, const Point2& b, const Point2& c) {

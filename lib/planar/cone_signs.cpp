@@ -74,8 +74,7 @@ CertifiedSign ConeSigns::decide(const Viewpoint& from, const Limit& limit, Place
     if (limit.place == p)
         s = {Sign::zero, Tier::filter};
     else if (exact_only && from.exact != nullptr && !constructed(limit.place) && !constructed(p))
-        s = {sightline::orientation(t_.position(limit.place), t_.position(p), *from.exact),
-             Tier::exact};
+        s = orientation_to(arithmetic_, t_.position(limit.place), t_.position(p), *from.exact);
     else if (exact_only)
         s = {sightline::orientation(exact_position(from), t_.exact_position(limit.place),
                                     t_.exact_position(p)),

@@ -23,7 +23,7 @@ public:
         if (!constructed && p_.exact == nullptr)
             s = detail::orientation(t_.position(a), t_.position(b), p_.position);
         else if (!constructed)
-            s = {sightline::orientation(t_.position(a), t_.position(b), *p_.exact), Tier::exact};
+            s = orientation_to(Arithmetic::filtered, t_.position(a), t_.position(b), *p_.exact);
         else
             s = {sightline::orientation(t_.exact_position(a), t_.exact_position(b),
                                         p_.exact != nullptr ? *p_.exact : to_rational(p_.position)),

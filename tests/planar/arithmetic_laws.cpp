@@ -110,6 +110,23 @@ TEST(ArithmeticLaws, ExactPointsAreTheVerticesOfTheRing) {
     }
 }
 
+// Intervals settle what the filter, which sees rounded coordinates, does not.
+TEST(ArithmeticLaws, RationalViewpointsSeldomNeedExactNumbers) {
+    const Scene2 scene = Scene2::make(families::random_convex({.vertices = 300}, 4)).value();
+    const PointVisibility2 visibility(scene);
+    Tally tally;
+    for (std::size_t v = 0; v < scene.vertex_count(); v += 3) {
+        const RationalPoint2 p = to_rational(scene.vertices()[v]);
+        static_cast<void>(visibility.from(
+            RationalPoint2{p.x + Rational(1, 3), p.y - Rational(1, 7)}, {.tally = &tally}));
+    }
+    for (const Predicate predicate : {Predicate::orientation2, Predicate::point_location2}) {
+        const TierCounts& counts = tally[predicate];
+        EXPECT_GT(counts.filter, 1000U);
+        EXPECT_EQ(counts.exact, 0U);
+    }
+}
+
 // Points, crossing walls and triangles whose coordinates are of any size that a double has.
 SceneInput2 scene_of_all_sizes(std::uint64_t seed, int least, int greatest) {
     std::mt19937_64 bits(seed);
