@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <map>
 #include <new>
+#include <thread>
 
 #include "cli/interruption.hpp"
 #include "sightline/arith/rational.hpp"
@@ -61,7 +62,12 @@ void add_common_options(CLI::App& app, CommonOptions& common) {
         ->check(CLI::IsMember({"filtered", "exact", "interval", "double"}))
         ->type_name("POLICY")
         ->group(common_group);
-    app.add_option("--threads", common.threads, "how many to use; 0 (default): one a core")
+    app.add_option_function<unsigned>(
+           "--threads",
+           [&common](unsigned n) {
+               common.threads = std::min(n, std::max(1U, std::thread::hardware_concurrency()));
+           },
+           "how many to use, at most one a core; 0 (default): one a core")
         ->check(CLI::Range(0, 1024))
         ->type_name("N")
         ->group(common_group);

@@ -219,6 +219,8 @@ using namespace detail;
 Result<ShortestPath> shortest_path(const Scene2& scene, const RationalPoint2& from,
                                    const RationalPoint2& to, const ShortestPathOptions& options) {
     const std::array<Point2, 2> ends{approx_point(from), approx_point(to)};
+    for (const Point2& end : ends)
+        if (auto fits = detail::check_size(end); !fits) return tl::unexpected(fits.error());
     const ViewScene view(scene, ends);
     const auto viewpoint = [](const RationalPoint2& exact, const Point2& rounded) {
         return to_rational(rounded) == exact ? Viewpoint{rounded}

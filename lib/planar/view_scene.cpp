@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "planar/view_scene.hpp"
 
+#include <cmath>
 #include <string>
 
 namespace sightline::detail {
@@ -46,6 +47,12 @@ BodyId body_around(const Scene2& scene, const Triangulation& t, HalfEdge start) 
 }
 
 }  // namespace
+
+Result<void> check_size(const Point2& rounded) {
+    if (std::fabs(rounded.x) <= 0x1p1020 && std::fabs(rounded.y) <= 0x1p1020) return {};
+    return fail(Errc::coordinate_too_large,
+                "a coordinate of the point is larger than 2^1020; choose a nearer point");
+}
 
 Result<Standpoint> stand_at(const Scene2& scene, const ViewScene& view, const Viewpoint& q,
                             Tally* tally) {

@@ -18,6 +18,10 @@ struct ViewScene {
     PointLocator locator;
 };
 
+/// Fails with coordinate_too_large beyond the bound that scenes keep, 2^1020: a frame round such a point
+/// would have no finite size. `rounded` is the point or its nearest doubles.
+[[nodiscard]] Result<void> check_size(const Point2& rounded);
+
 /// A point and where it lies; a place when it lies on one.
 struct Standpoint {
     Viewpoint viewpoint;

@@ -46,6 +46,7 @@ PointVisibility2& PointVisibility2::operator=(PointVisibility2&&) noexcept = def
 Result<void> PointVisibility2::from(const Point2& q, const VisibilityPolygonOptions& options,
                                     VisibilityPolygon& out) const {
     out.from = to_rational(q);
+    if (auto fits = check_size(q); !fits) return fits;
     if (impl_->view.triangulation.is_in_frame(q))
         return look(impl_->scene, impl_->view, {q}, options, out);
     const std::array<Point2, 1> within{q};
@@ -62,6 +63,7 @@ Result<VisibilityPolygon> PointVisibility2::from(const Point2& q,
 Result<VisibilityPolygon> PointVisibility2::from(const RationalPoint2& q,
                                                  const VisibilityPolygonOptions& options) const {
     const Point2 rounded = approx_point(q);
+    if (auto fits = check_size(rounded); !fits) return tl::unexpected(fits.error());
     if (to_rational(rounded) == q) return from(rounded, options);
     VisibilityPolygon out;
     out.from = q;

@@ -240,6 +240,15 @@ SCENES = [
      "sightline: doom.wad: there is no map 'E9M9'; give one of E1M1"),
 ]
 
+FAR = [
+    ("view from beyond the doubles", "view2 boxes.scene --from 1e400,1", {}, "",
+     "sightline: --from 1e400,1: a coordinate of the point is larger than 2^1020; choose a nearer point"),
+    ("view from the last doubles", "view2 boxes.scene --from 1,-1.7e308", {}, "",
+     "sightline: --from 1,-1.7e308: a coordinate of the point is larger than 2^1020; choose a nearer point"),
+    ("path to beyond the doubles", "path boxes.scene --from 9,9 --to 1,1e310", {}, "",
+     "sightline: a coordinate of the point is larger than 2^1020; choose a nearer point"),
+]
+
 NO_ANSWER = [
     ("view from inside a body", "view2 boxes.scene --from 1/2,1/2", {}, "",
      "sightline: --from 1/2,1/2: point (1/2, 1/2) lies inside body 0; choose a point outside the bodies"),
@@ -276,6 +285,11 @@ def test_results(folder, case):
 
 @pytest.mark.parametrize("case", SCENES, ids=lambda case: case[0])
 def test_scenes(folder, case):
+    check(folder, case, 2)
+
+
+@pytest.mark.parametrize("case", FAR, ids=lambda case: case[0])
+def test_far(folder, case):
     check(folder, case, 2)
 
 

@@ -26,7 +26,7 @@ struct ShortestPath {
 
 /// A shortest path between two points outside the interior of B. Of several of certified equal or
 /// undecidably close length the one with the fewest vertices, then the lexicographically least ids, wins.
-/// Fails with inside_body, outside_of_world or unreachable.
+/// Fails with inside_body, outside_of_world, unreachable, or coordinate_too_large (an end beyond 2^1020).
 [[nodiscard]] Result<ShortestPath> shortest_path(const Scene2& scene, const RationalPoint2& from,
                                                  const RationalPoint2& to,
                                                  const ShortestPathOptions& options = {});

@@ -83,7 +83,7 @@ public:
     PointVisibility2(PointVisibility2&&) noexcept;
     PointVisibility2& operator=(PointVisibility2&&) noexcept;
 
-    /// Fails with inside_body or outside_of_world.
+    /// Fails with inside_body, outside_of_world, or coordinate_too_large (beyond 2^1020).
     [[nodiscard]] Result<VisibilityPolygon> from(
         const Point2& q, const VisibilityPolygonOptions& options = {}) const;
     [[nodiscard]] Result<VisibilityPolygon> from(
