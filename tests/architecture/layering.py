@@ -130,6 +130,9 @@ def check_file(root, path, allowed):
         yield line_of(code, match.start()), f"tolerance by name: {match.group()}"
     for match in NAMESPACE.finditer(code):
         for name in match.group(1).split("::"):
+            # Boost.Graph finds the functions of a view by their arguments, some of which only boost knows.
+            if name == "boost" and path.name == "boost_graph.hpp":
+                continue
             if name not in NAMESPACES:
                 yield line_of(code, match.start(1)), f"namespace {name} is not one of ours"
     if "SPDX-License-Identifier: GPL-3.0-or-later" not in text.split("\n", 1)[0]:
