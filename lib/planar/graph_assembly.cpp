@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <memory>
+#include <utility>
 
 namespace sightline::detail {
 namespace {
@@ -20,7 +21,7 @@ void in_parts(std::size_t n, unsigned threads, const Part& part) {
 }
 
 template <typename Visit>
-void for_each_pair(const std::vector<HalfRows>& rows, const Visit& visit) {
+void for_each_pair(std::span<const HalfRows> rows, const Visit& visit) {
     for (const HalfRows& block : rows) {
         std::uint64_t i = 0;
         for (std::size_t r = 0; r < block.ends.size(); ++r)
@@ -29,52 +30,51 @@ void for_each_pair(const std::vector<HalfRows>& rows, const Visit& visit) {
     }
 }
 
-// Cursors into the rows [begin, end) of a table; everybody else's rows share one that stays put, on a
-// spare element, so that a thread can pass over foreign entries without a branch that nobody could
-// predict.
+// Where each part writes into the rows of a table: one cursor a row and part, so that the parts of the
+// input can be distributed at once and nobody reads what another part distributes.
 class Cursors {
 public:
-    Cursors(std::vector<std::uint64_t>& at, std::size_t begin, std::size_t end, std::uint64_t spare)
-        : at_(at.data()), begin_(begin), size_(end - begin), spare_(spare) {}
+    Cursors(unsigned parts, std::size_t rows) : at_(parts, std::vector<std::uint64_t>(rows, 0)) {}
 
-    [[nodiscard]] std::uint64_t next(std::size_t row) {
-        const bool mine = row - begin_ < size_;
-        std::uint64_t* const cursor = mine ? at_ + row : &spare_;
-        const std::uint64_t here = *cursor;
-        *cursor = here + static_cast<std::uint64_t>(mine);
-        return here;
+    /// First the part counts its entries a row, …
+    [[nodiscard]] std::uint64_t& operator()(std::size_t part, std::size_t row) {
+        return at_[part][row];
+    }
+    /// … then the counts become cursors, the parts' entries of a row in the order of the parts; the
+    /// offsets of the rows are returned.
+    [[nodiscard]] std::vector<std::uint64_t> start(std::size_t rows) {
+        std::vector<std::uint64_t> offsets(rows + 1, 0);
+        std::uint64_t sum = 0;
+        for (std::size_t row = 0; row < rows; ++row) {
+            offsets[row] = sum;
+            for (auto& part : at_) sum += std::exchange(part[row], sum);
+        }
+        offsets[rows] = sum;
+        return offsets;
     }
 
 private:
-    std::uint64_t* at_;
-    std::size_t begin_;
-    std::size_t size_;
-    std::uint64_t spare_;
+    std::vector<std::vector<std::uint64_t>> at_;
 };
 
 // For each place its visible places, in both directions, in any order.
 class PlaceRows {
 public:
-    PlaceRows(std::size_t places, const std::vector<HalfRows>& rows, unsigned threads)
-        : offsets_(places + 1, 0) {
-        std::vector<std::uint64_t> at(places + 1, 0);
-        in_parts(places, threads, [&](std::size_t, std::size_t begin, std::size_t end) {
-            Cursors counts(at, begin, end, 0);
-            for_each_pair(rows, [&](Place p, Place q) {
-                static_cast<void>(counts.next(p));
-                static_cast<void>(counts.next(q));
+    PlaceRows(std::size_t places, std::span<const HalfRows> rows, unsigned threads) {
+        Cursors at(threads, places);
+        in_parts(rows.size(), threads, [&](std::size_t i, std::size_t begin, std::size_t end) {
+            for_each_pair(rows.subspan(begin, end - begin), [&](Place p, Place q) {
+                ++at(i, p);
+                ++at(i, q);
             });
         });
-        for (std::size_t i = 0; i < places; ++i) offsets_[i + 1] = offsets_[i] + at[i];
-        std::copy(offsets_.begin(), offsets_.end(), at.begin());
-        const std::uint64_t size = offsets_.back();
-        // A spare element a thread; not initialised, so that each thread touches its own part first.
-        targets_ = std::make_unique_for_overwrite<Place[]>(size + threads);
-        in_parts(places, threads, [&](std::size_t i, std::size_t begin, std::size_t end) {
-            Cursors cursors(at, begin, end, size + i);
-            for_each_pair(rows, [&](Place p, Place q) {
-                targets_[cursors.next(p)] = q;
-                targets_[cursors.next(q)] = p;
+        offsets_ = at.start(places);
+        // Not initialised: each part touches its own first.
+        targets_ = std::make_unique_for_overwrite<Place[]>(offsets_.back());
+        in_parts(rows.size(), threads, [&](std::size_t i, std::size_t begin, std::size_t end) {
+            for_each_pair(rows.subspan(begin, end - begin), [&](Place p, Place q) {
+                targets_[at(i, p)++] = q;
+                targets_[at(i, q)++] = p;
             });
         });
     }
@@ -88,19 +88,13 @@ private:
     std::unique_ptr<Place[]> targets_;
 };
 
-std::vector<std::uint64_t> vertex_offsets(const Triangulation& t, const PlaceRows& rows,
-                                          std::size_t n) {
-    std::vector<std::uint64_t> offsets(n + 1, 0);
-    for (Place p = frame_places; p < t.first_constructed(); ++p) {
-        std::uint64_t degree = rows[p].size();
-        if (t.has_shared_places()) {
-            degree = 0;
-            for (const Place q : rows[p]) degree += t.vertices_at(q).size();
-        }
-        for (const VertexId v : t.vertices_at(p)) offsets[v.index() + 1] = degree;
-    }
-    for (std::size_t i = 1; i <= n; ++i) offsets[i] += offsets[i - 1];
-    return offsets;
+// Visits (v, w) for all vertices v of a range, ascending, and all vertices w that v sees.
+template <typename Visit>
+void for_each_arc(const Triangulation& t, const PlaceRows& rows, std::size_t begin, std::size_t end,
+                  const Visit& visit) {
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v)
+        for (const Place p : rows[t.place_of(VertexId{v})])
+            for (const VertexId w : t.vertices_at(p)) visit(VertexId{v}, w);
 }
 
 }  // namespace
@@ -112,18 +106,21 @@ VisibilityGraph assemble(const Triangulation& t, std::vector<HalfRows> rows, uns
     rows.clear();
     rows.shrink_to_fit();
     const std::size_t n = t.vertex_count();
-    std::vector<std::uint64_t> offsets = vertex_offsets(t, by_place, n);
-    std::vector<VertexId> targets;
-    targets.resize(offsets[n] + threads);  // a spare element a thread
-    std::vector<std::uint64_t> at(offsets.begin(), offsets.end() - 1);
+    Cursors at(threads, n);
+    if (threads <= 1 && !t.has_shared_places()) {  // then a row's size is known without counting
+        for (std::uint32_t v = 0; v < n; ++v) at(0, v) = by_place[t.place_of(VertexId{v})].size();
+    } else {
+        in_parts(n, threads, [&](std::size_t i, std::size_t begin, std::size_t end) {
+            for_each_arc(t, by_place, begin, end,
+                         [&](VertexId, VertexId w) { ++at(i, w.index()); });
+        });
+    }
+    std::vector<std::uint64_t> offsets = at.start(n);
+    std::vector<VertexId> targets(offsets[n]);
     in_parts(n, threads, [&](std::size_t i, std::size_t begin, std::size_t end) {
-        Cursors cursors(at, begin, end, offsets[n] + i);
-        for (std::uint32_t v = 0; v < n; ++v)
-            for (const Place p : by_place[t.place_of(VertexId{v})])
-                for (const VertexId w : t.vertices_at(p))
-                    targets[cursors.next(w.index())] = VertexId{v};
+        for_each_arc(t, by_place, begin, end,
+                     [&](VertexId v, VertexId w) { targets[at(i, w.index())++] = v; });
     });
-    targets.resize(offsets[n]);
     return {std::move(offsets), std::move(targets)};
 }
 

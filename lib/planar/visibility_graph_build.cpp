@@ -32,16 +32,16 @@ public:
 
     void run() {
         if (options_.threads <= 1) {
-            GraphRows worker(t_, crossings_, corners(), options_);
+            Worker worker(*this);
             for (std::size_t i = 0; i < rows_.size() && !stopped_; ++i) fill(i, worker);
             finish(worker);
             return;
         }
-        tbb::enumerable_thread_specific<std::unique_ptr<GraphRows>> workers;
+        tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers;
         tbb::parallel_for(std::size_t{0}, rows_.size(), [&](std::size_t i) {
             if (stopped_) return;
             auto& worker = workers.local();
-            if (!worker) worker = std::make_unique<GraphRows>(t_, crossings_, corners(), options_);
+            if (!worker) worker = std::make_unique<Worker>(*this);
             fill(i, *worker);
         });
         for (auto& worker : workers) finish(*worker);
@@ -53,15 +53,25 @@ public:
 private:
     [[nodiscard]] const Corners* corners() const { return corners_ ? &*corners_ : nullptr; }
 
-    void fill(std::size_t i, GraphRows& worker) {
+    // A thread's rows, and the storage in which it collects a block before it is kept at its size.
+    struct Worker {
+        explicit Worker(const GraphBuild& b) : rows(b.t_, b.crossings_, b.corners(), b.options_) {}
+
+        GraphRows rows;
+        std::vector<Place> found;
+    };
+
+    void fill(std::size_t i, Worker& worker) {
         HalfRows& rows = rows_[i];
         rows.first = frame_places + static_cast<Place>(i) * block_;
         const Place end = std::min(rows.first + block_, t_.first_constructed());
         rows.ends.reserve(end - rows.first);
         for (Place p = rows.first; p < end; ++p) {
-            worker.append(p, rows.places);
-            rows.ends.push_back(rows.places.size());
+            worker.rows.append(p, worker.found);
+            rows.ends.push_back(worker.found.size());
         }
+        rows.places.assign(worker.found.begin(), worker.found.end());
+        worker.found.clear();
         report(rows.places.size());
     }
 
@@ -83,8 +93,8 @@ private:
         stopped_ = error_.has_value();
     }
 
-    void finish(const GraphRows& worker) {
-        if (options_.tally != nullptr) worker.add_to(*options_.tally);
+    void finish(const Worker& worker) {
+        if (options_.tally != nullptr) worker.rows.add_to(*options_.tally);
     }
 
     const Triangulation& t_;
