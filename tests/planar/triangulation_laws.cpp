@@ -114,41 +114,12 @@ TEST(TriangulationLaws, HoldOnAllFamilies) {
     }
 }
 
-// Points, crossing walls and triangles whose coordinates are of any size that a double has.
-SceneInput2 scene_of_all_sizes(std::uint64_t seed, int least, int greatest) {
-    std::mt19937_64 bits(seed);
-    const auto below = [&](int n) {
-        return static_cast<int>(bits() % static_cast<std::uint64_t>(n));
-    };
-    const auto coordinate = [&] {
-        if (below(6) == 0) return 0.0;
-        const double size = std::ldexp(1 + below(4) / 4.0, least + below(greatest - least));
-        return below(2) == 0 ? size : -size;
-    };
-    const auto point = [&] {
-        const double x = coordinate();
-        return Point2{x, below(4) == 0 ? x : coordinate()};
-    };
-    SceneInput2 input;
-    input.elements.emplace_back(point());
-    for (int i = 0; i < 8; ++i) {
-        const int kind = below(3);
-        if (kind == 0)
-            testing::add_if_valid(input, point());
-        else if (kind == 1)
-            testing::add_if_valid(input, Polyline2{{point(), point()}});
-        else
-            testing::add_if_valid(input, Polygon2{{point(), point(), point()}, {}});
-    }
-    return input;
-}
-
 TEST(TriangulationLaws, HoldForCoordinatesOfAllSizes) {
     const std::pair<int, int> ranges[] = {{-1074, 1019}, {-1074, -1000}, {900, 1019}, {-600, -400},
                                           {-60, 60},     {-340, 340},    {-1074, 60}};
     for (std::uint64_t seed = 1; seed <= 210; ++seed) {
         const auto [least, greatest] = ranges[seed % std::size(ranges)];
-        const SceneInput2 input = scene_of_all_sizes(seed, least, greatest);
+        const SceneInput2 input = testing::scene_of_all_sizes(seed, least, greatest, 8);
         SCOPED_TRACE(testing::to_text(input));
         expect_sound(Scene2::make(input).value(), 1, 1);
         if (HasFailure()) return;

@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <utility>
@@ -117,6 +118,36 @@ inline SceneInput2 random_scene(std::uint64_t seed) {
     return SceneLottery(seed, recipe).draw();
 }
 
+/// Points, crossing walls and triangles whose coordinates are of any size that a double
+/// has: one point, then so many elements where they fit.
+inline SceneInput2 scene_of_all_sizes(std::uint64_t seed, int least, int greatest, int elements) {
+    std::mt19937_64 bits(seed);
+    const auto below = [&](int n) {
+        return static_cast<int>(bits() % static_cast<std::uint64_t>(n));
+    };
+    const auto coordinate = [&] {
+        if (below(6) == 0) return 0.0;
+        const double size = std::ldexp(1 + below(4) / 4.0, least + below(greatest - least));
+        return below(2) == 0 ? size : -size;
+    };
+    const auto point = [&] {
+        const double x = coordinate();
+        return Point2{x, below(4) == 0 ? x : coordinate()};
+    };
+    SceneInput2 input;
+    input.elements.emplace_back(point());
+    for (int i = 0; i < elements; ++i) {
+        const int kind = below(3);
+        if (kind == 0)
+            add_if_valid(input, point());
+        else if (kind == 1)
+            add_if_valid(input, Polyline2{{point(), point()}});
+        else
+            add_if_valid(input, Polygon2{{point(), point(), point()}, {}});
+    }
+    return input;
+}
+
 }  // namespace sightline::testing
 
 namespace rc {
@@ -125,11 +156,10 @@ namespace rc {
 template <>
 struct Arbitrary<sightline::Point2> {
     static Gen<sightline::Point2> arbitrary() {
-        return gen::map(gen::pair(gen::inRange(0, 6), gen::inRange(0, 6)),
-                        [](std::pair<int, int> xy) {
-                            return sightline::Point2{static_cast<double>(xy.first),
-                                                     static_cast<double>(xy.second)};
-                        });
+        return gen::map(gen::pair(gen::inRange(0, 6), gen::inRange(0, 6)), [](std::pair<int, int>
+                                                                                  xy) {
+            return sightline::Point2{static_cast<double>(xy.first), static_cast<double>(xy.second)};
+        });
     }
 };
 

@@ -20,8 +20,8 @@ struct VisibilityGraphOptions {
     Collinear collinear = Collinear::nearest_only;
     /// Whether edges that run along a body's boundary are edges of the graph.
     bool body_edges = true;
-    /// Only edges that are locally tangent to B ∪ W at both ends. A shortest path bends
-    /// nowhere else but at pinholes and walls' ends (docs/structures/shortest-path.md).
+    /// Only edges that are locally tangent to B ∪ W at both ends: those of shortest paths, but for bends
+    /// at pinholes and walls (docs/structures/shortest-path.md).
     bool tangent_only = false;
     /// No effect on the result unless `interval` or `double_`, which may be wrong.
     Arithmetic arithmetic = Arithmetic::filtered;
