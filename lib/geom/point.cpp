@@ -28,4 +28,15 @@ std::ostream& operator<<(std::ostream& out, const RationalPoint2& p) {
     return out << '(' << p.x << ", " << p.y << ')';
 }
 
+std::ostream& operator<<(std::ostream& out, const Point3& p) {
+    out << '(';
+    write_shortest(out, p.x) << ", ";
+    write_shortest(out, p.y) << ", ";
+    return write_shortest(out, p.z) << ')';
+}
+
+std::ostream& operator<<(std::ostream& out, const RationalPoint3& p) {
+    return out << '(' << p.x << ", " << p.y << ", " << p.z << ')';
+}
+
 }  // namespace sightline

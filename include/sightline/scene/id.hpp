@@ -38,10 +38,14 @@ struct VertexTag {
 struct EdgeTag {
     static constexpr char letter = 'e';
 };
+struct FaceTag {
+    static constexpr char letter = 'f';
+};
 
 using BodyId = Id<BodyTag>;
 using VertexId = Id<VertexTag>;
 using EdgeId = Id<EdgeTag>;
+using FaceId = Id<FaceTag>;
 
 /// A vector indexed by one kind of id only.
 template <typename IdType, typename T>
@@ -68,6 +72,8 @@ template <typename T>
 using PerEdge = PerId<EdgeId, T>;
 template <typename T>
 using PerBody = PerId<BodyId, T>;
+template <typename T>
+using PerFace = PerId<FaceId, T>;
 
 }  // namespace sightline
 
