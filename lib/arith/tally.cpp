@@ -15,6 +15,14 @@ std::string_view name_of(Predicate predicate) noexcept {
             return "constructed_order2";
         case Predicate::point_location2:
             return "point_location2";
+        case Predicate::orientation3:
+            return "orientation3";
+        case Predicate::side_of_line3:
+            return "side_of_line3";
+        case Predicate::line_plane3:
+            return "line_plane3";
+        case Predicate::transversals3:
+            return "transversals3";
         case Predicate::count_:
             break;
     }

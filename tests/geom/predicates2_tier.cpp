@@ -100,7 +100,7 @@ TEST(DotTier, EveryTierThatDecidesAgreesWithGmp) {
         const Point2 left{-b.y, b.x};  // a right angle at the origin, nearly
         const auto polynomial = detail::dot_polynomial<double>({0, 0}, b, left, c);
         const Sign expected =
-            -order_along(to_rational({0, 0}), to_rational(b), to_rational(left), to_rational(c));
+            -order_along(to_rational(Point2{0, 0}), to_rational(b), to_rational(left), to_rational(c));
         if (const auto sign = detail::filtered_sign(polynomial)) {
             ASSERT_EQ(*sign, expected);
         }

@@ -17,6 +17,10 @@ enum class Predicate : std::uint8_t {
     order_of_directions2,  ///< counter-clockwise order of directions round a point
     constructed_order2,    ///< comparisons that involve an intersection point
     point_location2,       ///< tests made while locating a query point
+    orientation3,          ///< side of a plane through three points
+    side_of_line3,         ///< how one line passes another
+    line_plane3,           ///< how a line passes a plane
+    transversals3,         ///< whether lines meet four segments, and where
     count_
 };
 
