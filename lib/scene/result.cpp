@@ -41,6 +41,22 @@ const char* name_of(Errc code) noexcept {
             return "coordinate_too_large";
         case Errc::empty_scene:
             return "empty_scene";
+        case Errc::unknown_vertex:
+            return "unknown_vertex";
+        case Errc::degenerate_face:
+            return "degenerate_face";
+        case Errc::non_planar:
+            return "non_planar";
+        case Errc::open_surface:
+            return "open_surface";
+        case Errc::non_manifold:
+            return "non_manifold";
+        case Errc::wrong_orientation:
+            return "wrong_orientation";
+        case Errc::duplicate_vertex:
+            return "duplicate_vertex";
+        case Errc::sheet_crosses:
+            return "sheet_crosses";
         case Errc::inside_body:
             return "inside_body";
         case Errc::outside_of_world:

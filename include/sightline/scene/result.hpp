@@ -32,6 +32,15 @@ enum class Errc : std::uint8_t {
     point_in_body,
     coordinate_too_large,
     empty_scene,
+    // validation of meshes
+    unknown_vertex,
+    degenerate_face,
+    non_planar,
+    open_surface,
+    non_manifold,
+    wrong_orientation,
+    duplicate_vertex,
+    sheet_crosses,
     // questions without an answer
     inside_body,
     outside_of_world,

@@ -122,6 +122,8 @@ public:
     friend bool operator==(const Scene3&, const Scene3&) = default;
 
 private:
+    void index_edges();
+
     std::vector<Point3> vertices_;
     std::vector<Edge3> edges_;
     std::vector<Face3> faces_;
