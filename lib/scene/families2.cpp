@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The families by name.
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <numeric>
-#include <utility>
-#include <vector>
-
 #include "sightline/scene/families.hpp"
+
+#include "scene/families_registry.hpp"
 
 namespace sightline::families {
 
@@ -171,80 +166,14 @@ constexpr FamilyInfo table[] = {
      sized<random_walls, true>},
 };
 
-/// Levenshtein's distance.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
-
-/// The three names nearest to an unknown one; names that contain it, or it them, come first.
-std::string nearest_names(std::string_view name) {
-    std::vector<std::pair<std::size_t, std::string_view>> ranked;
-    for (const FamilyInfo& family : table) {
-        const bool related = !name.empty() && (family.name.find(name) != std::string_view::npos ||
-                                               name.find(family.name) != std::string_view::npos);
-        const std::size_t distance = edit_distance(name, family.name);
-        ranked.emplace_back(related ? distance / 4 : distance, family.name);
-    }
-    std::partial_sort(ranked.begin(), ranked.begin() + 3, ranked.end());
-    return std::string(ranked[0].second) + ", " + std::string(ranked[1].second) + " or " +
-           std::string(ranked[2].second);
-}
-
-Result<std::uint64_t> parse(const FamilyInfo& family, const FamilyParameter& parameter,
-                            const std::string& text) {
-    std::uint64_t value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, value);
-    const bool whole = error == std::errc{} && stopped == end;
-    if (whole && value >= parameter.least && value <= parameter.greatest) return value;
-    return fail(Errc::bad_parameter,
-                "generate " + std::string(family.name) + ": " + std::string(parameter.name) +
-                    " is '" + text + "'; give a whole number from " +
-                    std::to_string(parameter.least) + " to " + std::to_string(parameter.greatest));
-}
-
 }  // namespace
 
 std::span<const FamilyInfo> all2() { return table; }
 
 Result<SceneInput2> generate2(std::string_view name, std::span<const std::string> parameters,
                               std::uint64_t seed) {
-    const auto* const family = std::find_if(std::begin(table), std::end(table),
-                                            [&](const FamilyInfo& f) { return f.name == name; });
-    if (family == std::end(table)) {
-        return fail(Errc::bad_parameter, "generate: there is no family '" + std::string(name) +
-                                             "'; the nearest are " + nearest_names(name));
-    }
-    if (parameters.size() > family->parameters.size()) {
-        return fail(Errc::bad_parameter, "generate " + std::string(name) + ": " +
-                                             std::to_string(parameters.size()) +
-                                             " parameters given; leave out all after the first " +
-                                             std::to_string(family->parameters.size()));
-    }
-    std::vector<std::uint64_t> values;
-    for (std::size_t i = 0; i < family->parameters.size(); ++i) {
-        const FamilyParameter& parameter = family->parameters[i];
-        if (i >= parameters.size()) {
-            values.push_back(parameter.default_value);
-            continue;
-        }
-        const Result<std::uint64_t> value = parse(*family, parameter, parameters[i]);
-        if (!value) return tl::unexpected<Error>(value.error());
-        values.push_back(*value);
-    }
-    SceneInput2 scene = family->generate(values, seed);
-    scene.file = std::string(name);
+    Result<SceneInput2> scene = detail::generate_by_name(table, name, parameters, seed);
+    if (scene) scene->file = std::string(name);
     return scene;
 }
 
