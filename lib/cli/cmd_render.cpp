@@ -25,11 +25,11 @@ Result<OutputArguments> outputs_of(const RenderArguments& arguments) {
         outputs.svg = name;
     } else if (name.ends_with(".png")) {
         outputs.png = name;
-    } else if (name.ends_with(".vtp")) {
+    } else if (name.ends_with(".vtp") || name.ends_with(".vtm")) {
         outputs.vtk = name;
     } else if (!name.empty()) {
         return fail(Errc::bad_parameter,
-                    name + ": the ending tells no picture; name a .svg, .png or .vtp file");
+                    name + ": the ending tells no picture; name a .svg, .png, .vtp or .vtm file");
     }
     if (!outputs.has_picture()) {
         return fail(Errc::bad_parameter, "no picture is named; give --png, --svg or --vtk a file");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "cli/output_set.hpp"
 #include "sightline/viz/render.hpp"
@@ -111,16 +112,39 @@ Result<void> write_json(OutputSet& files, const std::string& path, const Documen
         });
 }
 
+/// The index, and beside it a file for each layer.
+Result<void> write_vtm(OutputSet& files, const std::string& path, const viz::DrawList& picture) {
+    const std::filesystem::path file(path);
+    const std::string stem = file.stem().string();
+    const std::vector<std::string> parts = viz::vtm_parts(picture, stem);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto done =
+            files.write((file.parent_path() / parts[i]).string(),
+                        [&](std::ostream& out) { viz::write_vtm_part(picture, i, out); });
+        if (!done) return done;
+    }
+    return files.write(path, [&](std::ostream& out) { viz::write_vtm(picture, stem, out); });
+}
+
+Result<void> write_vtk(OutputSet& files, const std::string& path, const viz::DrawList& picture) {
+    if (path.ends_with(".vtm")) return write_vtm(files, path, picture);
+    return files.write(path, [&](std::ostream& out) { viz::write_vtp(picture, out); });
+}
+
 Result<void> write_pictures(OutputSet& files, const OutputArguments& outputs,
                             const viz::DrawList& picture) {
     if (!outputs.svg.empty()) {
+        if (picture.camera) {
+            return fail(Errc::unsupported, outputs.svg +
+                                               ": SVG knows no depth, so a scene of space can't be "
+                                               "drawn in it; name a .png, .vtp or .vtm file");
+        }
         const auto done =
             files.write(outputs.svg, [&](std::ostream& out) { viz::write_svg(picture, out); });
         if (!done) return done;
     }
     if (!outputs.vtk.empty()) {
-        const auto done =
-            files.write(outputs.vtk, [&](std::ostream& out) { viz::write_vtp(picture, out); });
+        const auto done = write_vtk(files, outputs.vtk, picture);
         if (!done) return done;
     }
     if (outputs.png.empty()) return {};

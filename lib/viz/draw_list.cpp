@@ -159,6 +159,10 @@ std::ostream& operator<<(std::ostream& out, const DrawList& list) {
         fmt::print(out, "view {}, {}\n", print(std::span(&list.view.low, 1)),
                    print(std::span(&list.view.high, 1)));
     }
+    if (list.camera) {
+        fmt::print(out, "camera from {} up {}\n", print(std::span(&list.camera->from, 1)),
+                   print(std::span(&list.camera->up, 1)));
+    }
     for (const Layer& layer : list.layers) print(out, layer);
     for (const std::string& note : list.notes) fmt::print(out, "note {}\n", note);
     return out;

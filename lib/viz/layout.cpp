@@ -157,7 +157,8 @@ void place_labels(const DrawList& list, double size, Layout& layout) {
             const auto found = std::ranges::find_if(places, is_free);
             const Pixel at = found != places.end() ? *found : places[0];
             taken.push_back(box(at));
-            layout.labels.push_back({label.text, at, size, true, layer.style.colour, p});
+            layout.labels.push_back(
+                {label.text, at, size, true, layer.style.colour, p, layout.depth(label.at)});
         }
     }
 }
@@ -184,6 +185,13 @@ bool Rectangle::meets(const Rectangle& o) const noexcept {
 Pixel Layout::to_pixel(const Position& p) const noexcept {
     return {data.x + fraction(p.x, view.low.x, view.high.x) * data.width,
             data.y + (1 - fraction(p.y, view.low.y, view.high.y)) * data.height};
+}
+
+double Layout::depth(const Position& p) const noexcept {
+    const double shown = view.high.x / 2 - view.low.x / 2;
+    if (!(shown > 0) || !(view.low.z <= view.high.z)) return 0;
+    const double off = p.z / 2 - (view.low.z / 4 + view.high.z / 4);
+    return std::clamp(off / shown, -1e6, 1e6) * data.width;
 }
 
 double estimated_width(const std::string& text, double size) noexcept {

@@ -32,7 +32,8 @@ struct PlacedText {
     double size = 0;
     bool bold = false;
     Colour colour{};
-    Pixel anchor{};  ///< of a label: the place that it names
+    Pixel anchor{};           ///< of a label: the place that it names
+    double anchor_depth = 0;  ///< of that place, see Layout::depth
 };
 
 struct LegendRow {
@@ -58,6 +59,8 @@ struct Layout {
 
     /// Where a position of the scene falls; finite for finite positions.
     [[nodiscard]] Pixel to_pixel(const Position& p) const noexcept;
+    /// How many pixels a position of a projected list is nearer to the eye than the view's middle.
+    [[nodiscard]] double depth(const Position& p) const noexcept;
 };
 
 struct LayoutOptions {

@@ -127,7 +127,7 @@ Result<void> write_file(const std::string& path, const unsigned char* data, std:
 
 bool has_rendering() noexcept { return true; }
 
-Result<void> render_png(const DrawList& list, const std::string& path,
+Result<void> render_png(const DrawList& drawn, const std::string& path,
                         const RenderOptions& options) {
     if (options.width < 100 || options.width > largest_side || options.height > largest_side ||
         (options.height != 0 && options.height < 100) || options.supersampling == 0) {
@@ -136,6 +136,7 @@ Result<void> render_png(const DrawList& list, const std::string& path,
             fmt::format("cannot draw a picture of {} x {} pixels; take 100 to {} for each side",
                         options.width, options.height, largest_side));
     }
+    const DrawList list = projected(drawn);
     const detail::Layout layout =
         detail::make_layout(list, {.width = static_cast<double>(options.width),
                                    .height = static_cast<double>(options.height),

@@ -25,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#include "viz/space_vtk.hpp"
 #include "viz/triangulate.hpp"
 
 namespace sightline::viz::detail {
@@ -186,7 +187,7 @@ vtkSmartPointer<vtkGlyph3DMapper> add_markers(vtkRenderer* renderer, std::span<c
 /// A text whose base line starts at `at`; relative to `anchor` (world coordinates) when there is
 /// one.
 void add_text(vtkRenderer* renderer, const PlacedText& text, Pixel at, double scale,
-              const Pixel* anchor) {
+              const Pixel* anchor, double depth = 0) {
     constexpr double below_base_line = 0.22;  // of the font size, in the box that VTK aligns
     vtkNew<vtkTextActor> actor;
     actor->SetInput(text.text.c_str());
@@ -205,7 +206,7 @@ void add_text(vtkRenderer* renderer, const PlacedText& text, Pixel at, double sc
         property->SetBackgroundOpacity(0.7);
         vtkNew<vtkCoordinate> world;
         world->SetCoordinateSystemToWorld();
-        world->SetValue(anchor->x, anchor->y, 0);
+        world->SetValue(anchor->x, anchor->y, depth);
         position->SetReferenceCoordinate(world);
     }
     position->SetValue(at.x * scale, (at.y - below_base_line * text.size) * scale, 0);
@@ -244,14 +245,14 @@ void add_sample(vtkRenderer* renderer, const LegendRow& row, double height, doub
 }
 
 /// Looks straight down at a rectangle of the plane.
-void look_at(vtkRenderer* renderer, Pixel centre, double height) {
+void look_at(vtkRenderer* renderer, Pixel centre, double height, double depth = 1000) {
     vtkCamera* camera = renderer->GetActiveCamera();
     camera->ParallelProjectionOn();
     camera->SetFocalPoint(centre.x, centre.y, 0);
-    camera->SetPosition(centre.x, centre.y, 1000);
+    camera->SetPosition(centre.x, centre.y, depth + 1);
     camera->SetViewUp(0, 1, 0);
     camera->SetParallelScale(height / 2);
-    camera->SetClippingRange(1, 2000);
+    camera->SetClippingRange(1, 2 * depth + 1);
 }
 
 }  // namespace
@@ -267,8 +268,9 @@ struct VtkPage::Parts {
     Layout layout;
     bool zoomable;
     double scale;
-    double height;   ///< of the layout that the drawing's coordinates come from
-    Rectangle data;  ///< of that layout
+    double height;        ///< of the layout that the drawing's coordinates come from
+    Rectangle data;       ///< of that layout
+    double depth = 1000;  ///< of everything, before and behind the plane of the picture
     vtkNew<vtkRenderer> page;
     vtkNew<vtkRenderer> drawing;
     std::vector<std::pair<vtkSmartPointer<vtkGlyph3DMapper>, double>>
@@ -282,6 +284,7 @@ struct VtkPage::Parts {
     }
     void fill_page();
     void add_layer(const Layer& layer, double z);
+    void add_space(const DrawList& list);
     void add_filled(Mesh& areas, const Polygon& polygon) const;
     void add_labels();
     void place_drawing();
@@ -355,11 +358,20 @@ void VtkPage::Parts::add_layer(const Layer& layer, double z) {
     }
 }
 
+void VtkPage::Parts::add_space(const DrawList& list) {
+    const auto to_world = [this](const Position& p) {
+        const Pixel at = upwards(layout.to_pixel(p));
+        return Position{at.x, at.y, layout.depth(p)};
+    };
+    depth = std::max(1.0, detail::add_space(drawing, list, to_world, {scale, zoomable}));
+}
+
 void VtkPage::Parts::add_labels() {
     for (const PlacedText& label : layout.labels) {
         const Pixel anchor = upwards(label.anchor);
         const Pixel at = upwards(label.at);
-        add_text(drawing, label, {at.x - anchor.x, at.y - anchor.y}, scale, &anchor);
+        add_text(drawing, label, {at.x - anchor.x, at.y - anchor.y}, scale, &anchor,
+                 label.anchor_depth);
     }
 }
 
@@ -367,6 +379,7 @@ VtkPage::VtkPage(const DrawList& list, Layout layout, double scale, bool zoomabl
     : parts_(std::make_unique<Parts>(std::move(layout), scale, zoomable)) {
     for (vtkRenderer* renderer : {page(), drawing()}) {
         renderer->SetBackground(1, 1, 1);
+        if (list.camera && renderer == drawing()) continue;
         // VTK's own way with translucent things mixes their colours without an order.
         vtkNew<vtkDefaultPass> in_order;
         vtkNew<vtkCameraPass> pass;
@@ -374,8 +387,12 @@ VtkPage::VtkPage(const DrawList& list, Layout layout, double scale, bool zoomabl
         renderer->SetPass(pass);
     }
     parts_->fill_page();
-    double z = 0;
-    for (const Layer& layer : list.layers) parts_->add_layer(layer, z++);
+    if (list.camera) {
+        parts_->add_space(list);
+    } else {
+        double z = 0;
+        for (const Layer& layer : list.layers) parts_->add_layer(layer, z++);
+    }
     parts_->add_labels();
     parts_->place_drawing();
     reset_camera();
@@ -401,7 +418,7 @@ void VtkPage::rearrange(Layout layout) {
 void VtkPage::reset_camera() {
     const Rectangle& data = parts_->data;
     look_at(drawing(), parts_->upwards({data.x + data.width / 2, data.y + data.height / 2}),
-            data.height);
+            data.height, parts_->depth);
     magnify(1);
 }
 

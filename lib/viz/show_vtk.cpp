@@ -3,6 +3,7 @@
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkInteractorStyle.h>
+#include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
@@ -99,6 +100,32 @@ private:
 };
 vtkStandardNewMacro(PlaneStyle);
 
+/// Turns, moves and zooms a drawing of space.
+class SpaceStyle : public vtkInteractorStyleTrackballCamera {
+public:
+    static SpaceStyle* New();
+    vtkTypeMacro(SpaceStyle, vtkInteractorStyleTrackballCamera)
+
+        std::function<void()> reset;
+
+    void OnChar() override {
+        switch (Interactor->GetKeyCode()) {
+            case 'q':
+            case 'Q':
+                Interactor->ExitCallback();
+                break;
+            case 'r':
+            case 'R':
+                reset();
+                Interactor->Render();
+                break;
+            default:
+                break;
+        }
+    }
+};
+vtkStandardNewMacro(SpaceStyle);
+
 template <typename Action>
 void observe(vtkObject* object, unsigned long event, Action& action) {
     vtkNew<vtkCallbackCommand> command;
@@ -155,6 +182,13 @@ Window::Window(const DrawList& list, const ShowOptions& options, void* display)
     window->AddRenderer(parts_->page.page());
     window->AddRenderer(parts_->page.drawing());
     parts_->interactor->SetRenderWindow(window);
+    if (list.camera) {
+        vtkNew<SpaceStyle> style;
+        style->SetDefaultRenderer(parts_->page.drawing());
+        style->reset = [this] { parts_->reset(); };
+        parts_->interactor->SetInteractorStyle(style);
+        return;
+    }
     vtkNew<PlaneStyle> style;
     style->drawing = parts_->page.drawing();
     style->SetDefaultRenderer(style->drawing);
@@ -197,7 +231,8 @@ void Window::run(const std::function<void()>& each_turn) {
 Result<void> show(const DrawList& list, const ShowOptions& options) {
     auto connection = detail::XConnection::open("");
     if (!connection) return tl::unexpected(connection.error());
-    detail::Window(list, options, connection->handle()).run();
+    const DrawList shown = projected(list);
+    detail::Window(shown, options, connection->handle()).run();
     return {};
 }
 

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "sightline/scene/result.hpp"
 #include "viz/layout.hpp"
 #include "viz/text.hpp"
 #include "viz/trails.hpp"
@@ -287,6 +288,7 @@ private:
 }  // namespace
 
 void write_svg(const DrawList& list, std::ostream& out, const SvgOptions& options) {
+    SIGHTLINE_EXPECT(!list.camera);
     detail::LayoutOptions layout{.width = static_cast<double>(options.width),
                                  .height = static_cast<double>(options.height),
                                  .legend = options.legend};

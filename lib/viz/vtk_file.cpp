@@ -9,6 +9,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "viz/text.hpp"
 #include "viz/triangulate.hpp"
 
 namespace sightline::viz {
@@ -33,7 +34,7 @@ struct Cells {
 
 class PolyData {
 public:
-    explicit PolyData(const DrawList& list) {
+    explicit PolyData(const DrawList& list) : in_space_(list.camera.has_value()) {
         for (std::size_t i = 0; i < list.layers.size(); ++i) add(list.layers[i], i);
     }
 
@@ -79,6 +80,7 @@ private:
     }
 
     void add_triangles(const Polygon& polygon, std::size_t number) {
+        if (in_space_) return add_fan(polygon, number);
         const detail::Triangles filled = detail::triangulate(polygon);
         for (const auto& [a, b, c] : filled.triangles) {
             const Position corners[] = {filled.points[a], filled.points[b], filled.points[c]};
@@ -86,6 +88,16 @@ private:
         }
     }
 
+    /// Of a convex polygon.
+    void add_fan(const Polygon& polygon, std::size_t number) {
+        const auto& p = polygon.outer;
+        for (std::size_t i = 2; i < p.size(); ++i) {
+            const Position corners[] = {p[0], p[i - 1], p[i]};
+            add_cell(polys, corners, number, polygon.id);
+        }
+    }
+
+    bool in_space_;
     std::unordered_map<Position, std::uint32_t, PositionHash> places_;
 };
 
@@ -123,7 +135,44 @@ void write_names(std::ostream& out, const DrawList& list) {
     out << "</Array>\n</FieldData>\n";
 }
 
+/// The list with one of its layers only.
+DrawList only(const DrawList& list, const Layer& layer) {
+    DrawList part;
+    part.camera = list.camera;
+    part.layers.push_back(layer);
+    return part;
+}
+
 }  // namespace
+
+std::vector<std::string> vtm_parts(const DrawList& list, const std::string& stem) {
+    std::vector<std::string> names;
+    for (const Layer& layer : list.layers) {
+        std::string name = layer.name;
+        for (char& c : name) {
+            const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                                  (c >= '0' && c <= '9') || c == '-';
+            if (!is_plain) c = '_';
+        }
+        names.push_back(fmt::format("{}_{}_{}.vtp", stem, names.size(), name));
+    }
+    return names;
+}
+
+void write_vtm(const DrawList& list, const std::string& stem, std::ostream& out) {
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" "
+           "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<vtkMultiBlockDataSet>\n";
+    const std::vector<std::string> parts = vtm_parts(list, stem);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        out << fmt::format("<DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", i,
+                           detail::xml_text(list.layers[i].name), detail::xml_text(parts[i]));
+    }
+    out << "</vtkMultiBlockDataSet>\n</VTKFile>\n";
+}
+
+void write_vtm_part(const DrawList& list, std::size_t part, std::ostream& out) {
+    write_vtp(only(list, list.layers.at(part)), out);
+}
 
 void write_vtp(const DrawList& list, std::ostream& out) {
     const PolyData data(list);

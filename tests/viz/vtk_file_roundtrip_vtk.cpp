@@ -2,18 +2,25 @@
 // VTK's own reader is the outside opinion on our polydata files.
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "sightline/viz/vtk_file.hpp"
 #include "viz/pictures.hpp"
+#include "viz/spaces.hpp"
 
 namespace sightline::viz {
 namespace {
@@ -76,6 +83,33 @@ TEST(VtkFileRoundTrip, CoordinatesComeBackAsTheSameDoubles) {
     list.add({.name = "p", .points = {{1.0 / 3, 1e-300, -1e150}}});
     const ReadBack got(list);
     EXPECT_EQ(got.corner(0, 0), (std::array<double, 3>{1.0 / 3, 1e-300, -1e150}));
+}
+
+TEST(VtmFileRoundTrip, BlocksAreTheLayersUnderTheirNames) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "sightline-vtm";
+    std::filesystem::create_directories(folder);
+    const DrawList list = small_space();
+    const std::vector<std::string> parts = vtm_parts(list, "s");
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        std::ofstream part(folder / parts[i]);
+        write_vtm_part(list, i, part);
+    }
+    {
+        std::ofstream index(folder / "s.vtm");
+        write_vtm(list, "s", index);
+    }
+    vtkNew<vtkXMLMultiBlockDataReader> reader;
+    reader->SetFileName((folder / "s.vtm").c_str());
+    reader->Update();
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
+    ASSERT_NE(blocks, nullptr);
+    ASSERT_EQ(blocks->GetNumberOfBlocks(), list.layers.size());
+    for (unsigned i = 0; i < blocks->GetNumberOfBlocks(); ++i) {
+        EXPECT_EQ(blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()), list.layers[i].name);
+        EXPECT_NE(vtkPolyData::SafeDownCast(blocks->GetBlock(i)), nullptr);
+    }
+    EXPECT_EQ(vtkPolyData::SafeDownCast(blocks->GetBlock(0))->GetNumberOfPolys(), 12);
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "viz/pictures.hpp"
+#include "viz/spaces.hpp"
 #include "viz/xml_check.hpp"
 
 namespace sightline::viz {
@@ -42,6 +43,27 @@ TEST(VtkFile, CoordinatesReadBackAsTheSameDoubles) {
 }
 
 TEST(VtkFile, EmptyListIsAFile) { EXPECT_EQ(XmlCheck::fault(vtp({})), ""); }
+
+TEST(VtkFile, PolygonsInSpaceAreFansOfTriangles) {
+    DrawList list;
+    list.camera = Camera{};
+    add_box(list, "box", {0, 0, 0}, {1, 1, 1}, Palette::solid, 1);
+    EXPECT_THAT(vtp(list), HasSubstr("NumberOfPoints=\"8\" NumberOfVerts=\"0\" "
+                                     "NumberOfLines=\"12\" NumberOfStrips=\"0\" "
+                                     "NumberOfPolys=\"12\""));
+}
+
+TEST(VtmFile, NamesOneFileALayer) {
+    DrawList list = small_space();
+    list.layers[0].name = "a/\"b\" c";
+    EXPECT_EQ(vtm_parts(list, "x").at(0), "x_0_a__b__c.vtp") << "no name leads out of the folder";
+    EXPECT_EQ(vtm_parts(list, "x").size(), list.layers.size());
+    std::ostringstream out;
+    write_vtm(list, "x", out);
+    EXPECT_EQ(XmlCheck::fault(out.str()), "");
+    EXPECT_THAT(out.str(), HasSubstr("<DataSet index=\"4\" name=\"glass\" "
+                                     "file=\"x_4_glass.vtp\"/>"));
+}
 
 }  // namespace
 }  // namespace sightline::viz

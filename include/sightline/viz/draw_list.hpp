@@ -139,14 +139,27 @@ struct LegendEntry {
     friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
+/// From where a picture of space is looked at: from infinitely far away, so that parallels stay
+/// parallel. The default is isometric.
+struct Camera {
+    Position from{1, -1, 1};  ///< the direction towards the eye; not zero
+    Position up{0, 0, 1};     ///< what shall point upwards; taken anew when it is along `from`
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
 /// A picture: title, layers from back to front, the part of the plane to show, and notes under the
 /// legend.
+///
+/// With a camera it is a picture of space: nearer things hide what is behind them, whatever their
+/// layers; polygons are flat, convex and without holes, and shaded; markers are balls.
 struct DrawList {
     std::string title{};
     std::vector<Layer> layers{};
     Box view{};  ///< what the picture shows; empty: everything, with a margin
     std::vector<std::string> notes{};
     bool scale_bar = true;
+    std::optional<Camera> camera{};
 
     /// Adds a layer behind the first one of higher order.
     void add(Layer layer);
@@ -162,6 +175,11 @@ struct DrawList {
 /// A window around `box` that makes a good picture: a margin on all sides, neither side more than
 /// three times the other, and never of zero size.
 [[nodiscard]] Box window_around(const Box& box);
+
+/// The list as the camera sees it: x to the right, y upwards, z towards the eye, lengths unchanged;
+/// its view is empty or the window around what the view contains. A list without a camera is
+/// returned as it is.
+[[nodiscard]] DrawList projected(const DrawList& list);
 
 /// The legend, derived from the layers that have a legend text, in the order in which they are
 /// painted.

@@ -26,6 +26,7 @@ struct SvgOptions {
 /// same bytes.
 ///
 /// Errors are those of the stream, for the caller to test. Cost O(n log n) for n segments.
+/// Contract: the list has no camera; SVG knows no depth.
 void write_svg(const DrawList& list, std::ostream& out, const SvgOptions& options = {});
 
 }  // namespace sightline::viz

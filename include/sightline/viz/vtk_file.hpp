@@ -2,6 +2,8 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
+#include <vector>
 
 #include "sightline/viz/draw_list.hpp"
 
@@ -18,5 +20,12 @@ namespace sightline::viz {
 ///
 /// Errors are those of the stream, for the caller to test. Cost O(n log n).
 void write_vtp(const DrawList& list, std::ostream& out);
+
+/// The list as a VTK multi-block file (`.vtm`), one block a layer. The format only names its
+/// blocks' files: `write_vtm` writes the index, and `write_vtm_part` block i, whose file beside the
+/// index must be called `vtm_parts(list, stem)[i]`: `skeleton_0_faces.vtp` for the stem `skeleton`.
+[[nodiscard]] std::vector<std::string> vtm_parts(const DrawList& list, const std::string& stem);
+void write_vtm(const DrawList& list, const std::string& stem, std::ostream& out);
+void write_vtm_part(const DrawList& list, std::size_t part, std::ostream& out);
 
 }  // namespace sightline::viz
