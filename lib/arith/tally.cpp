@@ -23,6 +23,10 @@ std::string_view name_of(Predicate predicate) noexcept {
             return "line_plane3";
         case Predicate::transversals3:
             return "transversals3";
+        case Predicate::line_form3:
+            return "line_form3";
+        case Predicate::curve_parameter3:
+            return "curve_parameter3";
         case Predicate::count_:
             break;
     }

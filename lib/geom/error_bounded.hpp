@@ -4,6 +4,7 @@
 /// A double together with a bound of its error: the filter for polynomials of higher degree.
 /// Private.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -22,6 +23,7 @@ namespace sightline::detail {
 /// Overflow makes the bound infinite or NaN, and then nothing is decided.
 class ErrorBounded {
 public:
+    ErrorBounded() = default;  ///< zero
     explicit ErrorBounded(double exact) : value_(exact) {}
     /// A number known to lie within `error` of `value`.
     ErrorBounded(double value, double error) : value_(value), error_(error) {}
@@ -41,6 +43,30 @@ public:
         return {v, propagated + u * std::abs(v) + std::numeric_limits<double>::min()};
     }
 
+    /// Nothing is known of the quotient when b may be zero: the bound is infinite.
+    [[nodiscard]] friend ErrorBounded operator/(const ErrorBounded& a, const ErrorBounded& b) {
+        const double least = std::abs(b.value_) - b.error_ * (1 + 0x1p-40);
+        const double v = a.value_ / b.value_;
+        if (!(least > 0)) return {v, std::numeric_limits<double>::infinity()};
+        const double propagated = (a.error_ + std::abs(v) * (b.error_ + u * std::abs(b.value_))) / least;
+        return {v, propagated * (1 + 0x1p-40) + 2 * u * std::abs(v) + std::numeric_limits<double>::min()};
+    }
+    [[nodiscard]] ErrorBounded operator-() const { return {-value_, error_}; }
+
+    /// The root of a number that is not negative; a negative value counts as zero.
+    [[nodiscard]] friend ErrorBounded square_root(const ErrorBounded& a) {
+        const double v = std::sqrt(std::max(a.value_, 0.0));
+        // |√x − √a| = |x − a| / (√x + √a), and ≤ √|x − a|.
+        const double spread = a.error_ * (1 + 0x1p-40);
+        const double propagated = spread < v * v ? spread / v : std::sqrt(spread + std::abs(a.value_));
+        return {v, propagated * (1 + 0x1p-40) + 2 * u * v + 0x1p-511};
+    }
+
+    [[nodiscard]] double value() const { return value_; }
+    /// Bounds of the exact number, with the margin that sign() demands.
+    [[nodiscard]] double lower() const { return value_ - padded_error(); }
+    [[nodiscard]] double upper() const { return value_ + padded_error(); }
+
     /// The sign of the exact value when it is certain, else empty.
     [[nodiscard]] std::optional<Sign> sign() const {
         const double bound = error_ * (1 + 0x1p-40);
@@ -51,8 +77,12 @@ public:
     }
 
 private:
+    [[nodiscard]] double padded_error() const {
+        return error_ == 0 ? 0 : error_ * (1 + 0x1p-40) + 2 * u * (std::abs(value_) + error_);
+    }
+
     static constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-    double value_;
+    double value_ = 0;
     double error_ = 0;
 };
 

@@ -21,6 +21,8 @@ enum class Predicate : std::uint8_t {
     side_of_line3,         ///< how one line passes another
     line_plane3,           ///< how a line passes a plane
     transversals3,         ///< whether lines meet four segments, and where
+    line_form3,            ///< sign of a linear form on a constructed line
+    curve_parameter3,      ///< roots on a one-parameter family of lines, and their order
     count_
 };
 

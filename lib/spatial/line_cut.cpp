@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spatial/line_cut.hpp"
+
+#include <algorithm>
+
+#include "spatial/line_box.hpp"
+
+namespace sightline::detail {
+
+LineCut::LineCut(const SceneForms& forms)
+    : forms_(&forms),
+      side_stamp_(0),
+      edge_stamp_(forms.edge_count()),
+      vertex_stamp_(forms.scene().vertices().size()),
+      face_stamp_(forms.scene().faces().size()) {
+    side_stamp_.resize(forms.line_count());
+    side_sign_.resize(forms.line_count());
+}
+
+void LineCut::cut(const Line& line) {
+    line_ = &line;
+    collect();
+    find_axis();
+    position_contacts();
+    sort_into_places();
+    find_touches();
+    find_blocked();
+    find_runs();
+}
+
+void LineCut::collect() {
+    contacts_.clear();
+    collinear_.clear();
+    ++stamp_;
+    const LineBoxTest meets(line_->real());
+    forms_->triangles().traverse(meets, [&](std::uint32_t t) { add_triangle(t); });
+}
+
+Sign LineCut::side_of(std::size_t i) {
+    if (side_stamp_[i] == stamp_) return side_sign_[i];
+    side_stamp_[i] = stamp_;
+    return side_sign_[i] = line_->sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
+        return side(l, forms_->line<N>(i));
+    });
+}
+
+void LineCut::add_triangle(std::uint32_t triangle) {
+    bool has_zero = false;
+    bool has_positive = false;
+    bool has_negative = false;
+    bool on_edge = false;
+    int zeros = 0;
+    for (const TriangleSide& s : forms_->sides(triangle)) {
+        const Sign plain = side_of(s.line);
+        const Sign sign = s.reversed ? -plain : plain;
+        has_positive = has_positive || sign == Sign::positive;
+        has_negative = has_negative || sign == Sign::negative;
+        if (sign != Sign::zero) continue;
+        has_zero = true;
+        ++zeros;
+        if (s.line < forms_->edge_count()) {
+            on_edge = true;
+            add_edge(EdgeId{s.line});
+        }
+    }
+    if (has_positive && has_negative) return;
+    // One zero at a diagonal is a point inside the face; two are a corner, three the face's plane.
+    if (has_zero && (on_edge || zeros > 1)) return;
+    const FaceId face = forms_->scene().triangles()[triangle].face;
+    if (face_stamp_[face.index()] == stamp_) return;
+    face_stamp_[face.index()] = stamp_;
+    contacts_.push_back({Feature::face, face.value, Real{}, 0});
+}
+
+void LineCut::add_vertex(VertexId v) {
+    if (vertex_stamp_[v.index()] == stamp_) return;
+    vertex_stamp_[v.index()] = stamp_;
+    contacts_.push_back({Feature::vertex, v.value, Real{}, 0});
+}
+
+void LineCut::add_edge(EdgeId e) {
+    if (edge_stamp_[e.index()] == stamp_) return;
+    edge_stamp_[e.index()] = stamp_;
+    const Edge3& edge = forms_->scene()[e];
+    // The line lies in a plane with the edge. Normals of the planes from both ends are parallel, opposite
+    // when the line passes between them, zero at an end that it passes through.
+    bool source_on = true;
+    bool target_on = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto sign_at = [&](VertexId v) {
+            return line_->sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
+                return normal_from(l, forms_->point<N>(v), axis);
+            });
+        };
+        const Sign at_source = sign_at(edge.source);
+        const Sign at_target = sign_at(edge.target);
+        if (at_source != Sign::zero && at_target != Sign::zero) {
+            if (at_source != at_target) contacts_.push_back({Feature::edge, e.value, Real{}, 0});
+            return;
+        }
+        source_on = source_on && at_source == Sign::zero;
+        target_on = target_on && at_target == Sign::zero;
+    }
+    if (source_on) add_vertex(edge.source);
+    if (target_on) add_vertex(edge.target);
+    if (source_on && target_on) collinear_.push_back(e);
+}
+
+void LineCut::find_axis() {
+    // The largest direction coordinate whose sign the filter knows; else the first that is not zero.
+    double best = -1;
+    for (int i = 0; i < 3; ++i) {
+        const Real& x = line_->real().d[i];
+        if (x.sign().value_or(Sign::zero) == Sign::zero || std::abs(x.value()) <= best) continue;
+        best = std::abs(x.value());
+        axis_ = i;
+        axis_sign_ = *x.sign();
+    }
+    for (int i = 0; i < 3 && best < 0; ++i) {
+        const Sign sign = line_->sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
+            return l.d[i];
+        });
+        if (sign == Sign::zero) continue;
+        best = 0;
+        axis_ = i;
+        axis_sign_ = sign;
+    }
+}
+
+void LineCut::position_contacts() {
+    const PluckerOf<Real>& l = line_->real();
+    for (Contact& c : contacts_) {
+        if (c.feature == Feature::vertex) {
+            c.position = forms_->point<Real>(VertexId{c.id})[axis_];
+        } else if (c.feature == Feature::face) {
+            const PlaneOf<Real>& plane = forms_->plane<Real>(FaceId{c.id});
+            const Real across = dot(plane.n, l.d);
+            c.position = (plane.k * l.d[axis_] + cross(plane.n, l.m)[axis_]) / across;
+        } else {
+            const Edge3& edge = forms_->scene()[EdgeId{c.id}];
+            const Vec3<Real>& u = forms_->point<Real>(edge.source);
+            const Vec3<Real>& w = forms_->point<Real>(edge.target);
+            const Vec3<Real> at_u = normal_from(l, u);
+            const Vec3<Real> at_w = normal_from(l, w);
+            int a = 0;
+            for (int i = 1; i < 3; ++i) {
+                if (std::abs(at_u[i].value() - at_w[i].value()) >
+                    std::abs(at_u[a].value() - at_w[a].value())) {
+                    a = i;
+                }
+            }
+            const Real share = at_u[a] / (at_u[a] - at_w[a]);
+            c.position = u[axis_] + share * (w[axis_] - u[axis_]);
+        }
+    }
+}
+
+/// A plane through the contact that the line crosses; returned is the sign of n·d, as ±1.
+Integer LineCut::axis_form(const Contact& c, PlaneOf<Integer>& plane) const {
+    const auto crossing = [&](const Vec3<Integer>& n) {
+        const ExactLine& e = line_->exact();
+        const Integer a = dot(n, e.a.d);
+        const Integer b = e.is_rational() ? Integer(0) : dot(n, e.b.d);
+        return Integer(static_cast<int>(sign_of_surd(a, b, e.c)));
+    };
+    if (c.feature == Feature::face) {
+        plane = forms_->plane<Integer>(FaceId{c.id});
+        return crossing(plane.n);
+    }
+    if (c.feature == Feature::vertex) {
+        plane.n = {0, 0, 0};
+        plane.n[axis_] = 1;
+        plane.k = forms_->point<Integer>(VertexId{c.id})[axis_];
+        return static_cast<int>(axis_sign_);
+    }
+    const Edge3& edge = forms_->scene()[EdgeId{c.id}];
+    const Vec3<Integer>& along = forms_->line<Integer>(c.id).d;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3<Integer> unit{0, 0, 0};
+        unit[axis] = 1;
+        plane.n = cross(along, unit);
+        const Integer sign = crossing(plane.n);
+        if (sgn(sign) == 0) continue;
+        plane.k = dot(plane.n, forms_->point<Integer>(edge.source));
+        return sign;
+    }
+    return 0;
+}
+
+int LineCut::order(const Contact& a, const Contact& b) const {
+    const int along = static_cast<int>(axis_sign_);
+    const Policy& policy = line_->policy();
+    if (a.feature == Feature::vertex && b.feature == Feature::vertex) {
+        return along * static_cast<int>(sign_of(a.position.value() - b.position.value()));
+    }
+    const Sign sign = policy.sign(Predicate::line_form3, a.position - b.position, [&] {
+        PlaneOf<Integer> first;
+        PlaneOf<Integer> second;
+        const Integer signs = axis_form(a, first) * axis_form(b, second);
+        const PluckerOf<Integer> meet = line_of(first, second);
+        const ExactLine& e = line_->exact();
+        const Integer x = side(e.a, meet);
+        const Integer y = e.is_rational() ? Integer(0) : side(e.b, meet);
+        // Positive when a comes first along the direction; undo the axis' sign, as for positions.
+        return sign_of_surd(x, y, e.c) * sign_of_integer(signs) * -axis_sign_;
+    });
+    return along * static_cast<int>(sign);
+}
+
+void LineCut::sort_into_places() {
+    // Insertion sort: few contacts, and an order that plain doubles may make inconsistent.
+    for (std::size_t i = 1; i < contacts_.size(); ++i) {
+        for (std::size_t j = i; j > 0 && order(contacts_[j], contacts_[j - 1]) < 0; --j) {
+            std::swap(contacts_[j], contacts_[j - 1]);
+        }
+    }
+    place_count_ = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (i > 0 && order(contacts_[i - 1], contacts_[i]) != 0) ++place_count_;
+        contacts_[i].place = place_count_;
+    }
+    if (!contacts_.empty()) ++place_count_;
+}
+
+BodyId LineCut::body_of(const Contact& c) const {
+    const Scene3& scene = forms_->scene();
+    switch (c.feature) {
+        case Feature::vertex:
+            return forms_->body_of(VertexId{c.id});
+        case Feature::edge:
+            return scene[EdgeId{c.id}].body;
+        case Feature::face:
+            break;
+    }
+    return scene[FaceId{c.id}].body;
+}
+
+void LineCut::find_touches() {
+    touches_.clear();
+    for (const Contact& c : contacts_) {
+        Touch touch{body_of(c), c.place, {}, {}};
+        const auto states = [&](auto id) {
+            touch.before = state_at(*forms_, *line_, id, Heading::backward);
+            touch.after = state_at(*forms_, *line_, id, Heading::forward);
+        };
+        if (c.feature == Feature::vertex) states(VertexId{c.id});
+        if (c.feature == Feature::edge) states(EdgeId{c.id});
+        if (c.feature == Feature::face) states(FaceId{c.id});
+        touches_.push_back(touch);
+    }
+    std::ranges::stable_sort(touches_, {}, &Touch::body);
+}
+
+void LineCut::find_blocked() {
+    blocked_.assign(place_count_ + 1, false);
+    blocker_.assign(place_count_ + 1, BodyId::none());
+    cuts_.clear();
+    for (std::size_t i = 0; i < touches_.size();) {
+        std::size_t j = i;
+        while (j < touches_.size() && touches_[j].body == touches_[i].body) ++j;
+        const std::span<const Touch> of_body{touches_.data() + i, j - i};
+        if (forms_->scene()[touches_[i].body].kind == SurfaceKind::solid) {
+            follow_solid(of_body);
+        } else {
+            follow_sheet(of_body);
+        }
+        i = j;
+    }
+    seal();
+}
+
+void LineCut::follow_solid(std::span<const Touch> touches) {
+    const auto block = [&](std::uint32_t first, std::uint32_t last, BodyId body) {
+        for (std::uint32_t piece = first; piece <= last; ++piece) {
+            blocked_[piece] = true;
+            blocker_[piece] = body;
+        }
+    };
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+        const Touch& t = touches[i];
+        if (t.before.where == LocalState::Where::in) {
+            const std::uint32_t from = i == 0 ? 0 : touches[i - 1].place + 1;
+            block(std::min(from, t.place), t.place, t.body);
+        }
+        if (t.after.where == LocalState::Where::in) {
+            const std::uint32_t to = i + 1 == touches.size() ? place_count_ : touches[i + 1].place;
+            block(t.place + 1, std::max(to, t.place + 1), t.body);
+        }
+    }
+    // A world that the line misses is all round it: nothing there is free.
+}
+
+void LineCut::follow_sheet(std::span<const Touch> touches) {
+    using Where = LocalState::Where;
+    Where side = Where::open;
+    std::uint32_t begin = 0;
+    for (const Touch& t : touches) {
+        if (t.before.where != Where::on) {
+            side = t.before.where;
+            begin = t.place;
+        }
+        if (t.after.where == Where::on) continue;
+        const bool known = side != Where::open && t.after.where != Where::open;
+        if (known && side != t.after.where) cuts_.push_back({begin, t.place});
+        side = Where::open;
+    }
+}
+
+void LineCut::seal() {
+    if (!forms_->scene().has_touching_bodies()) return;
+    std::vector<LocalState> along;
+    for (std::uint32_t piece = 1; piece < place_count_; ++piece) {
+        if (blocked_[piece]) continue;
+        along.clear();
+        BodyId body;
+        for (std::size_t i = 0; i < touches_.size(); ++i) {
+            const Touch& t = touches_[i];
+            // The last touch of a body before the piece tells how it goes on.
+            if (t.place >= piece || t.after.where != LocalState::Where::on) continue;
+            const bool is_last = i + 1 == touches_.size() || touches_[i + 1].body != t.body ||
+                                 touches_[i + 1].place >= piece;
+            if (!is_last) continue;
+            along.push_back(t.after);
+            body = t.body;
+        }
+        if (along.size() < 2 || !is_sealed(*forms_, *line_, along)) continue;
+        blocked_[piece] = true;
+        blocker_[piece] = body;
+    }
+}
+
+void LineCut::find_runs() {
+    runs_.clear();
+    std::ranges::sort(cuts_, {}, &SheetCut::first);
+    Run run;
+    bool is_open = false;
+    const auto close = [&](std::uint32_t last) {
+        run.last = last;
+        if (is_open && (run.first == Run::none || run.last == Run::none || run.first < run.last)) {
+            runs_.push_back(run);
+        }
+        is_open = false;
+    };
+    for (std::uint32_t piece = 0; piece <= place_count_; ++piece) {
+        if (blocked_[piece]) {
+            if (is_open) close(piece - 1);
+            continue;
+        }
+        for (const SheetCut& c : cuts_) {
+            if (c.last + 1 != piece || !is_open) continue;
+            close(c.last);
+            run.first = c.first;
+            is_open = true;
+        }
+        if (!is_open) {
+            run.first = piece == 0 ? Run::none : piece - 1;
+            is_open = true;
+        }
+    }
+    if (is_open) close(Run::none);
+}
+
+std::uint32_t LineCut::place_of(EdgeId e) const {
+    const Edge3& edge = forms_->scene()[e];
+    for (const Contact& c : contacts_) {
+        if (c.feature == Feature::edge && c.id == e.value) return c.place;
+        if (c.feature != Feature::vertex) continue;
+        if (c.id == edge.source.value || c.id == edge.target.value) return c.place;
+    }
+    return Run::none;
+}
+
+std::uint32_t LineCut::place_of(VertexId v) const {
+    for (const Contact& c : contacts_) {
+        if (c.feature == Feature::vertex && c.id == v.value) return c.place;
+    }
+    return Run::none;
+}
+
+BodyId LineCut::blocker_between(std::uint32_t first, std::uint32_t last) const {
+    for (std::uint32_t piece = first + 1; piece <= last; ++piece) {
+        if (blocked_[piece]) return blocker_[piece];
+    }
+    return BodyId::none();
+}
+
+std::optional<Run> LineCut::run_through(std::uint32_t first, std::uint32_t last) const {
+    for (const Run& run : runs_) {
+        if (run.contains(first) && run.contains(last)) return run;
+    }
+    return std::nullopt;
+}
+
+void LineCut::add_support(const Run& run, Support& support) const {
+    for (const Contact& c : contacts_) {
+        if (!run.contains(c.place)) continue;
+        if (c.feature == Feature::vertex) support.vertices.push_back(VertexId{c.id});
+        if (c.feature == Feature::edge) support.edges.push_back(EdgeId{c.id});
+    }
+    for (const EdgeId e : collinear_) {
+        const Edge3& edge = forms_->scene()[e];
+        std::uint32_t a = place_of(edge.source);
+        std::uint32_t b = place_of(edge.target);
+        if (a > b) std::swap(a, b);
+        if (run.contains(a) && run.contains(b)) continue;
+        const bool overlaps = (run.last == Run::none || a < run.last) &&
+                              (run.first == Run::none || run.first < b);
+        if (overlaps) support.along.push_back(e);
+    }
+    std::ranges::sort(support.vertices);
+    std::ranges::sort(support.edges);
+    std::ranges::sort(support.along);
+}
+
+SegmentEnd LineCut::end_at(std::uint32_t place, std::uint32_t piece, Heading towards) const {
+    SegmentEnd end;
+    const auto add = [&](FaceId f) {
+        if (f.is_none()) return;
+        const bool is_sheet = forms_->scene()[forms_->scene()[f].body].kind == SurfaceKind::sheet;
+        bool back = false;
+        if (is_sheet) {
+            const Sign sign = line_->sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
+                return dot(forms_->plane<N>(f).n, l.d);
+            });
+            back = (towards == Heading::forward ? sign : -sign) == Sign::positive;
+        }
+        end.push_back({f, back});
+    };
+    for (const Contact& c : contacts_) {
+        if (c.place != place) continue;
+        const BodyId body = body_of(c);
+        if (!stops(body, place, piece)) continue;
+        if (c.feature == Feature::face) add(FaceId{c.id});
+        if (c.feature == Feature::edge) {
+            for (const FaceId f : forms_->scene()[EdgeId{c.id}].faces) add(f);
+        }
+        if (c.feature == Feature::vertex) {
+            for (const FaceId f : forms_->faces_at(VertexId{c.id})) add(f);
+        }
+    }
+    std::ranges::sort(end);
+    const auto repeated = std::ranges::unique(end);
+    end.erase(repeated.begin(), repeated.end());
+    return end;
+}
+
+bool LineCut::stops(BodyId body, std::uint32_t place, std::uint32_t piece) const {
+    const bool is_sheet = forms_->scene()[body].kind == SurfaceKind::sheet;
+    const bool is_cut = std::ranges::any_of(
+        cuts_, [&](const SheetCut& c) { return c.first == place || c.last == place; });
+    if (is_sheet) return !blocked_[piece] && is_cut;
+    if (!blocked_[piece]) return false;
+    return std::ranges::any_of(touches_, [&](const Touch& t) {
+        if (t.body != body || t.place != place) return false;
+        const auto& state = piece == place ? t.before : t.after;
+        return state.where == LocalState::Where::in || state.where == LocalState::Where::on;
+    });
+}
+
+SegmentLabel LineCut::label(const Run& run) const {
+    SegmentLabel label;
+    add_support(run, label.support);
+    if (run.first != Run::none) label.ends[0] = end_at(run.first, run.first, Heading::backward);
+    if (run.last != Run::none) label.ends[1] = end_at(run.last, run.last + 1, Heading::forward);
+    if (label.ends[1] < label.ends[0]) std::swap(label.ends[0], label.ends[1]);
+    return label;
+}
+
+}  // namespace sightline::detail

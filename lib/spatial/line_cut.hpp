@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// A line cut at every place where it touches the scene, and the maximal free segments on it. Private.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sightline/spatial/free_segment3.hpp"
+#include "spatial/exact_line.hpp"
+#include "spatial/local_cone.hpp"
+#include "spatial/scene_forms.hpp"
+
+namespace sightline::detail {
+
+enum class Feature : std::uint8_t { vertex, edge, face };
+
+/// A feature that meets the line in one point: a vertex, an edge's relative interior, a face's.
+struct Contact {
+    Feature feature = Feature::vertex;
+    std::uint32_t id = 0;
+    Real position;  ///< coordinate along the line's main axis
+    std::uint32_t place = 0;
+};
+
+/// A maximal free segment of the line: between two places, `first` = none for one that comes from
+/// infinity, `last` likewise.
+struct Run {
+    static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+    std::uint32_t first = none;
+    std::uint32_t last = none;
+
+    [[nodiscard]] bool contains(std::uint32_t place) const {
+        return (first == none || first <= place) && (last == none || place <= last);
+    }
+};
+
+/// Keeps its buffers from one line to the next.
+class LineCut {
+public:
+    explicit LineCut(const SceneForms& forms);
+
+    /// Cuts the line. The line must live until the next call.
+    void cut(const Line& line);
+
+    [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
+    [[nodiscard]] std::uint32_t place_count() const { return place_count_; }
+    [[nodiscard]] std::span<const Run> runs() const { return runs_; }
+    /// The place where the line meets an edge (anywhere on it, ends included) or a vertex; none when
+    /// it does not, or runs along the edge.
+    [[nodiscard]] std::uint32_t place_of(EdgeId e) const;
+    [[nodiscard]] std::uint32_t place_of(VertexId v) const;
+    /// Edges that the line runs along.
+    [[nodiscard]] std::span<const EdgeId> collinear_edges() const { return collinear_; }
+
+    [[nodiscard]] SegmentLabel label(const Run& run) const;
+    /// A body that blocks some piece between two places; none when they see each other.
+    [[nodiscard]] BodyId blocker_between(std::uint32_t first, std::uint32_t last) const;
+    /// The run that contains all places from first to last, which are two different ones.
+    [[nodiscard]] std::optional<Run> run_through(std::uint32_t first, std::uint32_t last) const;
+
+private:
+    /// A body at a place, before and after it.
+    struct Touch {
+        BodyId body;
+        std::uint32_t place;
+        LocalState before, after;
+    };
+
+    void collect();
+    void add_triangle(std::uint32_t triangle);
+    [[nodiscard]] Sign side_of(std::size_t line_index);
+    void add_edge(EdgeId e);
+    void add_vertex(VertexId v);
+    void find_axis();
+    void position_contacts();
+    [[nodiscard]] int order(const Contact& a, const Contact& b) const;
+    void sort_into_places();
+    void find_touches();
+    void find_blocked();
+    void follow_solid(std::span<const Touch> touches);
+    void follow_sheet(std::span<const Touch> touches);
+    void seal();
+    void find_runs();
+    [[nodiscard]] BodyId body_of(const Contact& c) const;
+    [[nodiscard]] SegmentEnd end_at(std::uint32_t place, std::uint32_t blocked_piece,
+                                    Heading towards) const;
+    [[nodiscard]] bool stops(BodyId body, std::uint32_t place, std::uint32_t piece) const;
+    [[nodiscard]] Integer axis_form(const Contact& c, PlaneOf<Integer>& plane) const;
+    void add_support(const Run& run, Support& support) const;
+
+    const SceneForms* forms_;
+    const Line* line_ = nullptr;
+    int axis_ = 0;
+    Sign axis_sign_ = Sign::positive;
+    std::vector<Contact> contacts_;
+    std::uint32_t place_count_ = 0;
+    std::vector<EdgeId> collinear_;
+    std::vector<Touch> touches_;
+    std::vector<bool> blocked_;         // piece i lies before place i
+    std::vector<BodyId> blocker_;       // one body that blocks the piece
+    struct SheetCut {
+        std::uint32_t first, last;  // the places where a crossed stay on a sheet begins and ends
+    };
+    std::vector<SheetCut> cuts_;
+    std::vector<Run> runs_;
+
+    std::uint32_t stamp_ = 0;
+    std::vector<std::uint32_t> side_stamp_, edge_stamp_, vertex_stamp_, face_stamp_;
+    std::vector<Sign> side_sign_;
+};
+
+}  // namespace sightline::detail
