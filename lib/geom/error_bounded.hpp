@@ -48,8 +48,10 @@ public:
         const double least = std::abs(b.value_) - b.error_ * (1 + 0x1p-40);
         const double v = a.value_ / b.value_;
         if (!(least > 0)) return {v, std::numeric_limits<double>::infinity()};
-        const double propagated = (a.error_ + std::abs(v) * (b.error_ + u * std::abs(b.value_))) / least;
-        return {v, propagated * (1 + 0x1p-40) + 2 * u * std::abs(v) + std::numeric_limits<double>::min()};
+        const double propagated =
+            (a.error_ + std::abs(v) * (b.error_ + u * std::abs(b.value_))) / least;
+        return {v, propagated * (1 + 0x1p-40) + 2 * u * std::abs(v) +
+                       std::numeric_limits<double>::min()};
     }
     [[nodiscard]] ErrorBounded operator-() const { return {-value_, error_}; }
 
@@ -58,7 +60,8 @@ public:
         const double v = std::sqrt(std::max(a.value_, 0.0));
         // |√x − √a| = |x − a| / (√x + √a), and ≤ √|x − a|.
         const double spread = a.error_ * (1 + 0x1p-40);
-        const double propagated = spread < v * v ? spread / v : std::sqrt(spread + std::abs(a.value_));
+        const double propagated =
+            spread < v * v ? spread / v : std::sqrt(spread + std::abs(a.value_));
         return {v, propagated * (1 + 0x1p-40) + 2 * u * v + 0x1p-511};
     }
 

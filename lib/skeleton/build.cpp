@@ -15,7 +15,9 @@ using namespace detail;
 class Builder {
 public:
     Builder(const Scene3& scene, const SkeletonOptions& options)
-        : forms_(scene), policy_{options.arithmetic, options.tally}, sweep_(forms_, policy_, output()) {}
+        : forms_(scene),
+          policy_{options.arithmetic, options.tally},
+          sweep_(forms_, policy_, output()) {}
 
     VisibilitySkeleton build() {
         sweep_pencils();

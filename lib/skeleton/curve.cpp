@@ -181,9 +181,8 @@ std::array<PluckerOf<N>, 3> Curve::compute() const {
             return pencil_through(forms_->point<N>(vertex_), one);
         }
         case CurveKind::contact_pencil: {
-            const auto [p, w] =
-                crossing(forms_->line<N>(edges_[1].index()), point_on(edges_[1]),
-                         forms_->line<N>(edges_[2].index()), point_on(edges_[2]));
+            const auto [p, w] = crossing(forms_->line<N>(edges_[1].index()), point_on(edges_[1]),
+                                         forms_->line<N>(edges_[2].index()), point_on(edges_[2]));
             return pencil_through(p, w);
         }
         case CurveKind::plane_pencil: {
@@ -239,9 +238,8 @@ bool Curve::is_in_plane(VertexId v) const {
         const Vec3<N> n = cross(coefficients<N>()[0].d, forms_->line<N>(base().index()).d);
         return dot<N>(forms_->point<N>(v) - a, n);
     };
-    return policy_->sign(Predicate::line_form3, height(Real{}), [&] {
-        return sign_of_integer(height(Integer{}));
-    }) == Sign::zero;
+    return policy_->sign(Predicate::line_form3, height(Real{}),
+                         [&] { return sign_of_integer(height(Integer{})); }) == Sign::zero;
 }
 
 }  // namespace sightline::detail

@@ -117,7 +117,8 @@ namespace {
 
 /// Whether two edges of one plane cross inside both: each has its ends on both sides of the other.
 bool cross_inside(const SceneForms& forms, EdgeId a, EdgeId b) {
-    if (sgn(side(forms.line<Integer>(a.index()), forms.line<Integer>(b.index()))) != 0) return false;
+    if (sgn(side(forms.line<Integer>(a.index()), forms.line<Integer>(b.index()))) != 0)
+        return false;
     const auto separates = [&](EdgeId by, EdgeId ends) {
         const Edge3& edge = forms.scene()[ends];
         const Vec3<Integer> s =

@@ -95,10 +95,9 @@ std::vector<Parameter> roots(const Curve& curve, const EventForm& form, const Qu
         if (!exact) exact = curve.evaluate<Integer>(form);
         return *exact;
     };
-    const bool is_linear =
-        curve.degree() == 1 || form.kind == EventForm::Kind::vertex_plane ||
-        policy.sign(Predicate::curve_parameter3, q.q2,
-                    [&] { return sign_of_integer(exactly().q2); }) == Sign::zero;
+    const bool is_linear = curve.degree() == 1 || form.kind == EventForm::Kind::vertex_plane ||
+                           policy.sign(Predicate::curve_parameter3, q.q2,
+                                       [&] { return sign_of_integer(exactly().q2); }) == Sign::zero;
     if (is_linear) {
         const Sign slope = policy.sign(Predicate::curve_parameter3, q.q1,
                                        [&] { return sign_of_integer(exactly().q1); });

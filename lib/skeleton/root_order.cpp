@@ -86,8 +86,8 @@ bool meets(const ExactLine& line, const PluckerOf<Integer>& edge) {
 }  // namespace
 
 Root root_of(const Curve& curve, const Parameter& t, const Line& line, const SkeletonNode& node) {
-    const bool by_edges = node.type == NodeType::eeee || node.type == NodeType::fee ||
-                          node.type == NodeType::ff;
+    const bool by_edges =
+        node.type == NodeType::eeee || node.type == NodeType::fee || node.type == NodeType::ff;
     if (!by_edges || curve.kind() != CurveKind::regulus || t.is_double()) return Root::only;
     const SceneForms& forms = curve.forms();
     std::optional<ExactLine> other;
@@ -95,8 +95,8 @@ Root root_of(const Curve& curve, const Parameter& t, const Line& line, const Ske
     for (std::size_t i = 0; i < edges.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             // Two edges of one plane fix the plane: the other solution, if any, is another kind of line.
-            const Integer s = side(forms.line<Integer>(edges[i].index()),
-                                   forms.line<Integer>(edges[j].index()));
+            const Integer s =
+                side(forms.line<Integer>(edges[i].index()), forms.line<Integer>(edges[j].index()));
             if (sgn(s) == 0) return Root::only;
         }
     }

@@ -184,8 +184,8 @@ void Sweep::pass(const Curve& curve, std::span<const Event> group, const Paramet
     if (has_right) look(curve, between(event.t, right), after);
     if (!was_free && !event.edge.is_none()) {
         // A line may be free between two blocked neighbours only where more happens than one crossing.
-        const bool may_be_alone = group.size() > 1 || event.t.is_double() ||
-                                  forms_.scene().has_touching_bodies();
+        const bool may_be_alone =
+            group.size() > 1 || event.t.is_double() || forms_.scene().has_touching_bodies();
         if (after.is_free || may_be_alone) node = node_at(curve, event, nullptr);
     } else if (!was_free && after.is_free) {
         node = node_at(curve, event, nullptr);

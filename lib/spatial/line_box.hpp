@@ -38,8 +38,7 @@ public:
             const double reach = h[j] * std::abs(d_[k]) + h[k] * std::abs(d_[j]);
             const double far_j = std::abs(c[j]) + h[j];
             const double far_k = std::abs(c[k]) + h[k];
-            const double size =
-                std::abs(m_[i]) + far_j * std::abs(d_[k]) + far_k * std::abs(d_[j]);
+            const double size = std::abs(m_[i]) + far_j * std::abs(d_[k]) + far_k * std::abs(d_[j]);
             const double slack =
                 m_error_[i] + far_j * d_error_[k] + far_k * d_error_[j] + size * 0x1p-47;
             if (std::abs(off) > reach + slack + 0x1p-1000) return false;

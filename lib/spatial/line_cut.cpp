@@ -39,9 +39,9 @@ void LineCut::collect() {
 Sign LineCut::side_of(std::size_t i) {
     if (side_stamp_[i] == stamp_) return side_sign_[i];
     side_stamp_[i] = stamp_;
-    return side_sign_[i] = line_->sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
-        return side(l, forms_->line<N>(i));
-    });
+    return side_sign_[i] = line_->sign(
+               Predicate::line_form3,
+               [&]<typename N>(const PluckerOf<N>& l) { return side(l, forms_->line<N>(i)); });
 }
 
 void LineCut::add_triangle(std::uint32_t triangle) {
@@ -117,9 +117,8 @@ void LineCut::find_axis() {
         axis_sign_ = *x.sign();
     }
     for (int i = 0; i < 3 && best < 0; ++i) {
-        const Sign sign = line_->sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
-            return l.d[i];
-        });
+        const Sign sign = line_->sign(Predicate::line_form3,
+                                      [&]<typename N>(const PluckerOf<N>& l) { return l.d[i]; });
         if (sign == Sign::zero) continue;
         best = 0;
         axis_ = i;
@@ -403,8 +402,8 @@ void LineCut::add_support(const Run& run, Support& support) const {
         std::uint32_t b = place_of(edge.target);
         if (a > b) std::swap(a, b);
         if (run.contains(a) && run.contains(b)) continue;
-        const bool overlaps = (run.last == Run::none || a < run.last) &&
-                              (run.first == Run::none || run.first < b);
+        const bool overlaps =
+            (run.last == Run::none || a < run.last) && (run.first == Run::none || run.first < b);
         if (overlaps) support.along.push_back(e);
     }
     std::ranges::sort(support.vertices);
@@ -419,9 +418,9 @@ SegmentEnd LineCut::end_at(std::uint32_t place, std::uint32_t piece, Heading tow
         const bool is_sheet = forms_->scene()[forms_->scene()[f].body].kind == SurfaceKind::sheet;
         bool back = false;
         if (is_sheet) {
-            const Sign sign = line_->sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
-                return dot(forms_->plane<N>(f).n, l.d);
-            });
+            const Sign sign = line_->sign(
+                Predicate::line_form3,
+                [&]<typename N>(const PluckerOf<N>& l) { return dot(forms_->plane<N>(f).n, l.d); });
             back = (towards == Heading::forward ? sign : -sign) == Sign::positive;
         }
         end.push_back({f, back});

@@ -99,8 +99,8 @@ private:
     std::uint32_t place_count_ = 0;
     std::vector<EdgeId> collinear_;
     std::vector<Touch> touches_;
-    std::vector<bool> blocked_;         // piece i lies before place i
-    std::vector<BodyId> blocker_;       // one body that blocks the piece
+    std::vector<bool> blocked_;    // piece i lies before place i
+    std::vector<BodyId> blocker_;  // one body that blocks the piece
     struct SheetCut {
         std::uint32_t first, last;  // the places where a crossed stay on a sheet begins and ends
     };

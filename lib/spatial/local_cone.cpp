@@ -181,9 +181,8 @@ private:
 };
 
 bool is_border_vertex(const SceneForms& forms, VertexId v) {
-    return std::ranges::any_of(forms.scene().edges_at(v), [&](EdgeId e) {
-        return forms.shape(e) == EdgeShape::border;
-    });
+    return std::ranges::any_of(forms.scene().edges_at(v),
+                               [&](EdgeId e) { return forms.shape(e) == EdgeShape::border; });
 }
 
 }  // namespace
