@@ -12,6 +12,8 @@ struct SceneArguments {
     bool world = false;
     bool repair = false;
     bool all_lines = false;
+    bool sheets = false;                   ///< meshes are sheets, except the world
+    std::vector<std::string> sheet_files;  ///< meshes that are sheets, after `files`
 };
 
 /// Where a result goes; empty: not there.

@@ -23,23 +23,32 @@ std::string seconds_text(double seconds) {
     return fmt::format("{:<{}}", fmt::format("{:.6f}", seconds), seconds_width);
 }
 
-void write_scene(JsonWriter& json, const LoadedScene& loaded) {
+void write_scene(JsonWriter& json, const SceneArguments& arguments, std::size_t vertices,
+                 std::size_t bodies) {
+    std::vector<std::string> files = arguments.files;
+    files.insert(files.end(), arguments.sheet_files.begin(), arguments.sheet_files.end());
     json.key("scene");
     json.begin_object(Layout::inline_);
     json.key("files");
-    json.tree(loaded.arguments.files);
-    json.member("vertices", loaded.scene.vertex_count());
-    json.member("bodies", loaded.scene.body_count());
+    json.tree(files);
+    json.member("vertices", vertices);
+    json.member("bodies", bodies);
     json.end();
+}
+
+const SceneArguments* arguments_of(const Document& document) {
+    if (document.scene != nullptr) return &document.scene->arguments;
+    return document.scene3 != nullptr ? &document.scene3->arguments : nullptr;
 }
 
 void write_options(JsonWriter& json, const Document& document) {
     nlohmann::ordered_json options = document.options;
-    if (document.scene != nullptr) {
-        const SceneArguments& scene = document.scene->arguments;
-        if (scene.world) options["world"] = true;
-        if (scene.repair) options["repair"] = true;
-        if (scene.all_lines) options["all_lines"] = true;
+    if (const SceneArguments* scene = arguments_of(document)) {
+        if (scene->world) options["world"] = true;
+        if (scene->repair) options["repair"] = true;
+        if (scene->all_lines) options["all_lines"] = true;
+        if (scene->sheets) options["sheets"] = true;
+        if (!scene->sheet_files.empty()) options["sheet"] = scene->sheet_files;
     }
     json.key("options");
     json.tree(options);
@@ -90,7 +99,12 @@ std::uint64_t write_document(std::ostream& out, const Document& document, const 
     json.key("sightline");
     json.tree({{"version", SIGHTLINE_VERSION}, {"format", 1}});
     json.member("kind", document.kind);
-    if (document.scene != nullptr) write_scene(json, *document.scene);
+    if (const LoadedScene* plane = document.scene) {
+        write_scene(json, plane->arguments, plane->scene.vertex_count(), plane->scene.body_count());
+    } else if (const LoadedScene3* space = document.scene3) {
+        write_scene(json, space->arguments, space->scene.vertices().size(),
+                    space->scene.bodies().size());
+    }
     write_options(json, document);
     const std::uint64_t place = write_stats(json, session);
     if (!document.complete) json.member("complete", false);
@@ -159,7 +173,9 @@ Result<void> check_outputs(const OutputArguments& outputs, const SceneArguments&
         return fail(Errc::unsupported,
                     outputs.png + ": this program was built without VTK; write --svg instead");
     }
-    return OutputSet::check(outputs.given(), scene.files);
+    std::vector<std::string> files = scene.files;
+    files.insert(files.end(), scene.sheet_files.begin(), scene.sheet_files.end());
+    return OutputSet::check(outputs.given(), files);
 }
 
 Result<void> write_outputs(const OutputArguments& outputs, const Document& document,

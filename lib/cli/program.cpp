@@ -192,6 +192,28 @@ void add_scene_arguments(CLI::App& app, SceneArguments& arguments) {
                  "of Doom maps, also the lines with a floor on both sides");
 }
 
+void add_mesh_arguments(CLI::App& app, SceneArguments& arguments) {
+    app.add_option("SCENE", arguments.files,
+                   "OFF, OBJ, PLY or STL files, a mesh each; - is standard input")
+        ->required()
+        ->type_name("");
+    app.add_flag("--world", arguments.world, "the inside of the first mesh is the free world");
+    app.add_flag("--repair", arguments.repair,
+                 "merge and remove what is double or degenerate, turn what looks inwards, saying "
+                 "what was done");
+    add_sheet_arguments(app, arguments);
+}
+
+void add_sheet_arguments(CLI::App& app, SceneArguments& arguments) {
+    app.add_flag("--sheets", arguments.sheets,
+                 "meshes are surfaces without thickness, not solids (a world excepted)");
+    app.add_option("--sheet", arguments.sheet_files,
+                   "a further mesh, which alone is such a surface; repeatable")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name("FILE");
+}
+
 void add_output_arguments(CLI::App& app, OutputArguments& arguments) {
     const auto add = [&app](const char* name, std::string& path, const char* what) {
         app.add_option(name, path, what)

@@ -40,6 +40,10 @@ private:
 
 /// SCENE..., --world, --repair, --all-lines.
 void add_scene_arguments(CLI::App& app, SceneArguments& arguments);
+/// For commands on meshes: SCENE... (OFF, OBJ, PLY, STL), --world, --repair, --sheets, --sheet.
+void add_mesh_arguments(CLI::App& app, SceneArguments& arguments);
+/// --sheets, --sheet, for commands that take both kinds of scenes.
+void add_sheet_arguments(CLI::App& app, SceneArguments& arguments);
 /// -o, --vtk, --png, --svg.
 void add_output_arguments(CLI::App& app, OutputArguments& arguments);
 void add_info(Program& program);

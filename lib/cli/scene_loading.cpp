@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "sightline/scene/doom.hpp"
+#include "sightline/scene/mesh_io.hpp"
 #include "sightline/scene/repair2.hpp"
 #include "sightline/scene/scene_io.hpp"
 
@@ -52,6 +53,12 @@ SceneInput2 joined(const std::vector<SceneInput2>& parts) {
     return all;
 }
 
+/// What a reader refuses to read is bad input, not a limit of this run.
+Error as_bad_input(Error error) {
+    if (error.code == Errc::limit_reached) error.code = Errc::unsupported;
+    return error;
+}
+
 Result<std::vector<SceneInput2>> load_parts(const SceneArguments& arguments, Session& session) {
     if (std::count(arguments.files.begin(), arguments.files.end(), "-") > 1) {
         return fail(Errc::bad_parameter,
@@ -62,9 +69,7 @@ Result<std::vector<SceneInput2>> load_parts(const SceneArguments& arguments, Ses
         Result<SceneInput2> part =
             load_file(file, arguments.world && parts.empty(), arguments.all_lines, session);
         if (!part) {
-            // What a reader refuses to read is bad input, not a limit of this run.
-            const bool is_limit = part.error().code == Errc::limit_reached;
-            return fail(is_limit ? Errc::unsupported : part.error().code, part.error().message);
+            return tl::unexpected(as_bad_input(std::move(part.error())));
         }
         if (part->world && !parts.empty()) {
             return fail(Errc::bad_parameter,
@@ -94,7 +99,44 @@ Result<LoadedScene> load_repaired(const SceneInput2& input, const SceneArguments
     return LoadedScene{std::move(repaired->scene), arguments, std::move(repaired->changes)};
 }
 
+Result<SceneInput3> load_meshes(const SceneArguments& arguments) {
+    SceneInput3 input;
+    input.world = arguments.world;
+    const auto add = [&](const std::string& file, SurfaceKind kind) -> Result<void> {
+        MeshReadOptions options;
+        options.kind = kind;
+        Result<MeshInput3> mesh = read_mesh(file, options);
+        if (!mesh) return tl::unexpected(as_bad_input(std::move(mesh.error())));
+        input.meshes.push_back(std::move(*mesh));
+        return {};
+    };
+    for (std::size_t i = 0; i < arguments.files.size(); ++i) {
+        const bool is_world = arguments.world && i == 0;
+        const bool is_sheet = arguments.sheets && !is_world;
+        const auto ok = add(arguments.files[i], is_sheet ? SurfaceKind::sheet : SurfaceKind::solid);
+        if (!ok) return tl::unexpected(ok.error());
+    }
+    for (const std::string& file : arguments.sheet_files)
+        if (const auto ok = add(file, SurfaceKind::sheet); !ok) return tl::unexpected(ok.error());
+    return input;
+}
+
 }  // namespace
+
+bool names_meshes(const SceneArguments& arguments) {
+    return arguments.sheets || !arguments.sheet_files.empty() ||
+           (!arguments.files.empty() && mesh_format(arguments.files.front()).has_value());
+}
+
+Result<LoadedScene3> load_scene3(const SceneArguments& arguments, Session& session) {
+    return session.timed("read", "reading", [&]() -> Result<LoadedScene3> {
+        Result<SceneInput3> input = load_meshes(arguments);
+        if (!input) return tl::unexpected(input.error());
+        Result<Scene3> scene = Scene3::make(*input);
+        if (!scene) return tl::unexpected(scene.error());
+        return LoadedScene3{std::move(*scene), std::move(*input), arguments, {}};
+    });
+}
 
 Result<LoadedScene> load_scene(const SceneArguments& arguments, Session& session) {
     return session.timed("read", "reading", [&]() -> Result<LoadedScene> {
