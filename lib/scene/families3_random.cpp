@@ -142,6 +142,24 @@ SceneInput3 turned_boxes(const Bodies& parameters, std::uint64_t seed) {
     return mesh.take_scene();
 }
 
+SceneInput3 random_l_shapes(const Bodies& parameters, std::uint64_t seed) {
+    expect_in_range(parameters);
+    Rng rng(seed);
+    MeshBuilder mesh;
+    for (const Int3& centre : random_balls(rng, parameters.count, radius, parameters.percent)) {
+        const Turn turn = random_turn(rng);
+        const std::int64_t half = radius * 577 / 1000 / turn.length;
+        const std::int64_t x = rng.between(-half / 2, half / 2);
+        const std::int64_t y = rng.between(-half / 2, half / 2);
+        const std::int64_t z = rng.between(half / 4, half);
+        Ring3 outline{{-half, -half, -z}, {half, -half, -z}, {half, y, -z},
+                      {x, y, -z},         {x, half, -z},     {-half, half, -z}};
+        for (Int3& p : outline) p = centre + turn(p);
+        mesh.add_prism(outline, turn({0, 0, 2 * z}));
+    }
+    return mesh.take_scene();
+}
+
 SceneInput3 random_polytopes(const Polytopes& parameters, std::uint64_t seed) {
     expect_in_range({parameters.count, parameters.percent});
     SIGHTLINE_EXPECT(parameters.edges_per_body >= 6 && parameters.edges_per_body <= 1000);

@@ -300,7 +300,7 @@ SceneInput3 triangulated3(const SceneInput3& scene) {
 SceneInput3 approx_nudged3(const SceneInput3& scene, std::uint64_t seed, unsigned per_mille) {
     Rng rng(seed);
     const auto nudge = [&](double& x) {
-        if (rng.below(1000) >= per_mille) return;
+        if (rng.below(1000) >= per_mille || x == 0) return;
         const double infinity = std::numeric_limits<double>::infinity();
         x = std::nextafter(x, rng.one_in(2) ? infinity : -infinity);
     };

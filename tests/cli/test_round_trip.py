@@ -7,13 +7,16 @@ import re
 import pytest
 from program import load, run
 
-FAMILIES = [line.split()[0] for line in run("generate", "--list").out.splitlines()]
+LINES = run("generate", "--list").out.splitlines()
+FAMILIES = [line.split()[0] for line in LINES if " 3D: " not in line]
+FAMILIES3 = [line.split()[0] for line in LINES if " 3D: " in line]
 FORMATS = ["scene", "wkt", "geojson"]
 
 
 def test_list_of_families():
     lines = run("generate", "--list").out.splitlines()
-    assert len(lines) >= 25 and FAMILIES == sorted(FAMILIES)
+    names = [line.split()[0] for line in lines]
+    assert len(FAMILIES) >= 25 and len(FAMILIES3) >= 25 and names == sorted(names)
     assert any(line.startswith("dense [N=1000] ") for line in lines)
 
 
@@ -21,6 +24,46 @@ def test_list_of_families():
 def test_every_family_is_valid(folder, family):
     assert run("generate", family, "-o", "scene.scene").status == 0
     assert run("info", "scene.scene", "-o", "info.json").status == 0
+
+
+def read_off(path):
+    """Vertices and faces of an OFF file, which says their numbers."""
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    assert lines[0] == "OFF"
+    counts = [int(word) for word in lines[1].split()]
+    assert len(lines) == 2 + counts[0] + counts[1]
+    vertices = [tuple(map(float, line.split())) for line in lines[2:2 + counts[0]]]
+    faces = [list(map(int, line.split())) for line in lines[2 + counts[0]:]]
+    assert all(face[0] == len(face) - 1 and max(face[1:]) < len(vertices) for face in faces)
+    return vertices, [face[1:] for face in faces]
+
+
+@pytest.mark.parametrize("family", FAMILIES3)
+def test_every_family_of_3d_scenes_is_written(folder, family):
+    finished = run("generate", family, "-o", "scene.off")
+    assert finished.status == 0
+    vertices, faces = read_off(folder / "scene.off")
+    assert faces and sorted({v for face in faces for v in face}) == list(range(len(vertices)))
+    bodies = folder / "scene-bodies.off"
+    world = "# world" in (folder / "scene.off").read_text()
+    assert bodies.exists() == world == ("scene.off scene-bodies.off --world" in finished.err)
+    if world:
+        assert read_off(bodies)[1]
+
+
+def test_3d_scene_on_standard_output():
+    out = run("generate", "room", 600, "--seed", 3).out
+    assert out.startswith("OFF\n# world: the first 6 faces bound the free world\n800 600 0\n0 0 0\n")
+    sheets = run("generate", "triangles", 2, "--seed", 3)
+    assert sheets.out.startswith("OFF\n# sheets: surfaces of zero thickness\n6 2 0\n")
+    assert "sheets: read it with --sheets" in sheets.err
+
+
+def test_generated_room_is_the_same_every_time(folder):
+    for name in ("one", "two"):
+        assert run("generate", "room", 120, 1, 1, "--seed", 9, "-o", f"{name}.off").status == 0
+    for ending in (".off", "-bodies.off"):
+        assert (folder / f"one{ending}").read_text() == (folder / f"two{ending}").read_text()
 
 
 @pytest.mark.parametrize("ending", FORMATS)

@@ -169,6 +169,36 @@ TEST(ApproxNudged3, MovesSomeCoordinatesByOneUlp) {
     EXPECT_EQ(fingerprint(families::approx_nudged3(scene, 5, 0)), fingerprint(scene));
 }
 
+TEST(RandomScene3, IsValid) {
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        const auto made = Scene3::make(testing::random_scene3(seed));
+        ASSERT_TRUE(made) << seed << ": " << made.error().message;
+    }
+}
+
+RC_GTEST_PROP(RandomScene3, KeepsItsFeaturesWhenTriangulatedAndPermuted,
+              (const SceneInput3& scene, std::uint64_t seed)) {
+    const auto made = Scene3::make(scene);
+    RC_ASSERT(made.has_value());
+    const auto cut = Scene3::make(families::permuted3(families::triangulated3(scene), seed).scene);
+    RC_ASSERT(cut.has_value());
+    RC_ASSERT(cut->edges().size() == made->edges().size());
+    RC_ASSERT(cut->faces().size() == made->faces().size());
+    RC_ASSERT(cut->bodies().size() == made->bodies().size());
+}
+
+TEST(DegenerateScenes3, AreValidAndKeepTheirFeaturesWhenTriangulated) {
+    for (const auto& [name, text] : testing::degenerate_scenes3()) {
+        const SceneInput3 input = testing::scene_input3(text);
+        const auto made = Scene3::make(input);
+        ASSERT_TRUE(made) << name << ": " << made.error().message;
+        const auto cut = Scene3::make(families::triangulated3(input));
+        ASSERT_TRUE(cut) << name << ": " << cut.error().message;
+        EXPECT_EQ(cut->edges().size(), made->edges().size()) << name;
+        EXPECT_EQ(cut->faces().size(), made->faces().size()) << name;
+    }
+}
+
 TEST(RandomScene3, IsDisjointOrTouchingAndVaried) {
     std::set<std::uint64_t> prints;
     std::size_t shared = 0;

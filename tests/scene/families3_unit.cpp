@@ -66,25 +66,13 @@ TEST(RandomPolytopes, HaveTheEdgesOnAverageThatAreAskedFor) {
         335U);
 }
 
-/// Vertex lists of the components of a mesh whose components are runs of vertices.
+/// Vertex lists of the components of a mesh.
 std::vector<std::vector<Point3>> components(const MeshInput3& mesh) {
-    std::vector<std::uint32_t> first(mesh.vertices.size());  // least vertex reached
-    for (std::uint32_t v = 0; v < first.size(); ++v) first[v] = v;
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (const auto& face : mesh.faces) {
-            std::uint32_t least = UINT32_MAX;
-            for (const std::uint32_t v : face) least = std::min(least, first[v]);
-            for (const std::uint32_t v : face) {
-                changed = changed || first[v] != least;
-                first[v] = least;
-            }
-        }
-    }
-    std::map<std::uint32_t, std::vector<Point3>> parts;
-    for (std::uint32_t v = 0; v < first.size(); ++v) parts[first[v]].push_back(mesh.vertices[v]);
     std::vector<std::vector<Point3>> result;
-    for (auto& [least, part] : parts) result.push_back(std::move(part));
+    for (const families_test::Part& part : families_test::parts_of(mesh)) {
+        result.emplace_back();
+        for (const Int3& p : part.points) result.back().push_back(families::detail::to_point(p));
+    }
     return result;
 }
 

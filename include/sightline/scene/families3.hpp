@@ -53,6 +53,8 @@ struct Bodies {
 };
 /// Tetrahedra whose corners are random points of spheres, not too flat.
 [[nodiscard]] SceneInput3 random_tetrahedra(const Bodies& parameters, std::uint64_t seed);
+/// L-shaped prisms, not convex, turned at random. 12 vertices, 18 edges, 8 faces each.
+[[nodiscard]] SceneInput3 random_l_shapes(const Bodies& parameters, std::uint64_t seed);
 /// Needles: tetrahedra some 30 times longer than wide.
 [[nodiscard]] SceneInput3 thin_tetrahedra(const Bodies& parameters, std::uint64_t seed);
 /// Sheets: triangles some 30 times longer than wide.
@@ -127,6 +129,102 @@ struct Boxes {
 /// Two boxes and a triangle (as a thin plate) in general position: lines that graze an edge of each box and an edge
 /// of the triangle form a swath that is easy to see. 22 vertices, 33 edges, 17 faces.
 [[nodiscard]] SceneInput3 two_boxes_triangle();
+
+// ---- rooms, buildings, land -----------------------------------------------------------------------------------
+
+struct Room {
+    std::size_t polygons =
+        1500;  ///< faces in all, world or floor included; rounded down to a multiple of 6; ≥ 12
+    bool turned =
+        false;  ///< pieces of furniture are turned round the vertical; else by right angles only
+    bool lifted = false;  ///< every box is a little smaller, so that nothing touches anything
+    bool world = true;  ///< the room is the free world (the first mesh); else furniture on a floor
+};
+/// The benchmark of large scenes: a room with tables, chairs, cupboards, shelves with books, lamps and crates, all
+/// made of boxes that touch in faces (legs and table top, books and board, legs and floor).
+/// POLYGONS faces, 4/3 POLYGONS vertices, 2 POLYGONS edges: for 1500, 2000 vertices, 3000 edges, 1500 faces, 250
+/// bodies, the world included. Fully degenerate unless turned; then degenerate within each piece.
+[[nodiscard]] SceneInput3 room_with_furniture(const Room& parameters, std::uint64_t seed);
+
+struct Building {
+    std::size_t columns = 3;
+    std::size_t rows = 2;
+    bool world =
+        true;  ///< outer walls, floor and ceiling are the world; else walls on a slab, open above
+};
+/// Rooms side by side; pillars at their corners, walls with a door (not convex: ten faces) or, one in four, without.
+[[nodiscard]] SceneInput3 building(const Building& parameters, std::uint64_t seed);
+
+struct City3 {
+    std::size_t columns = 5;
+    std::size_t rows = 5;
+};
+/// A ground slab with blocks of houses: single ones, two that touch, ones with a tower on top.
+[[nodiscard]] SceneInput3 city3(const City3& parameters, std::uint64_t seed);
+
+struct Terrain {
+    std::size_t levels = 3;  ///< a height field over 2^levels × 2^levels squares, each cut in two
+    bool solid = false;      ///< with walls and a bottom; else a sheet
+};
+/// Fractal land (diamond-square). 2 · 4^levels triangles and, for a solid, 2^(levels + 2) walls and a bottom.
+[[nodiscard]] SceneInput3 terrain(const Terrain& parameters, std::uint64_t seed);
+
+// ---- subdivided curved surfaces ---------------------------------------------------------------------------------
+
+struct Icosphere {
+    std::size_t levels = 2;  ///< 20 · 4^levels triangles near a sphere
+};
+[[nodiscard]] SceneInput3 icosphere(const Icosphere& parameters);
+
+struct Torus {
+    std::size_t around = 12;  ///< the axis
+    std::size_t across = 8;   ///< sides of the tube
+};
+/// A torus of 2 · around · across triangles.
+[[nodiscard]] SceneInput3 torus(const Torus& parameters);
+
+struct Cylinder {
+    std::size_t sides = 12;
+    std::size_t stacks = 4;
+};
+/// A prism whose sides are cut into stacks: its features are those of the prism.
+[[nodiscard]] SceneInput3 cylinder(const Cylinder& parameters);
+
+// ---- special position -------------------------------------------------------------------------------------------
+// Disjoint tetrahedra whose planes, edges or vertices are aligned. Each family also comes nearly aligned: `near`,
+// every coordinate but zeros moved up or down by one ulp, or not, at random.
+
+struct Aligned {
+    std::size_t count = 8;
+    bool near = false;
+};
+/// Each has a face in one slanted plane, on either side of it.
+[[nodiscard]] SceneInput3 coplanar_faces(const Aligned& parameters, std::uint64_t seed);
+/// Each has an edge on one slanted line.
+[[nodiscard]] SceneInput3 collinear_edges(const Aligned& parameters, std::uint64_t seed);
+/// Each has an edge whose line passes through the origin, which is free.
+[[nodiscard]] SceneInput3 concurrent_edges(const Aligned& parameters, std::uint64_t seed);
+/// Each has an edge on z = xy (a ruling x = 4 i): all lines y = const, |y| < 4, z = xy graze all of these edges and
+/// are free, a regulus.
+[[nodiscard]] SceneInput3 regulus_edges(const Aligned& parameters, std::uint64_t seed);
+/// A table, the first, and bodies with one vertex in the plane of its top, all others above.
+[[nodiscard]] SceneInput3 vertices_in_plane(const Aligned& parameters, std::uint64_t seed);
+
+/// Four edges with one double transversal, the line y = z = 0, which is free: three rulings of z = xy and a tangent
+/// of this surface. `ulps` lifts the tangent by so many ulps: when positive there are two transversals, when negative
+/// none. −100 … 100.
+[[nodiscard]] SceneInput3 double_root(int ulps = 0);
+
+/// The grid with its faces cut into triangles and each coordinate moved by an ulp at random.
+[[nodiscard]] SceneInput3 near_grid3(const Grid3& parameters, std::uint64_t seed);
+
+struct FarPolytopes {
+    std::size_t count = 5;
+    double shift = 0;  ///< a whole number below 2^52, added to x, subtracted from y, added to z
+    int exponent = 0;  ///< all coordinates are multiplied by 2^exponent; −1074 … 900
+};
+/// random_polytopes (n/k = 20), moved and scaled exactly.
+[[nodiscard]] SceneInput3 far_polytopes(const FarPolytopes& parameters, std::uint64_t seed);
 
 // ---- by name -----------------------------------------------------------------------------------------------
 

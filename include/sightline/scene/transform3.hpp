@@ -44,8 +44,8 @@ struct PermutedScene3 {
 /// polygons. O(n³) for a face of n vertices.
 [[nodiscard]] SceneInput3 triangulated3(const SceneInput3& scene);
 
-/// Moves each coordinate to the next double below or above with a chance of per_mille/1000. The result may be
-/// invalid: faces that aren't triangles bend, touching bodies overlap or part; validate it again.
+/// Moves each coordinate to the next double below or above with a chance of per_mille/1000; zeros stay. The result
+/// may be invalid: faces that aren't triangles bend, touching bodies overlap or part; validate it again.
 [[nodiscard]] SceneInput3 approx_nudged3(const SceneInput3& scene, std::uint64_t seed,
                                          unsigned per_mille = 500);
 
