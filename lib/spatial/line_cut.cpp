@@ -314,11 +314,8 @@ void LineCut::seal() {
         BodyId body;
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Touch& t = touches_[i];
-            // The last touch of a body before the piece tells how it goes on.
             if (t.place >= piece || t.after.where != LocalState::Where::on) continue;
-            const bool is_last = i + 1 == touches_.size() || touches_[i + 1].body != t.body ||
-                                 touches_[i + 1].place >= piece;
-            if (!is_last) continue;
+            if (!is_last_before(i, piece)) continue;
             along.push_back(t.after);
             body = t.body;
         }
@@ -437,10 +434,24 @@ SegmentEnd LineCut::end_at(std::uint32_t place, std::uint32_t piece, Heading tow
             for (const FaceId f : forms_->faces_at(VertexId{c.id})) add(f);
         }
     }
+    // Bodies along whose faces the blocked piece runs bound it too, without a contact at the place.
+    for (std::size_t i = 0; blocked_[piece] && i < touches_.size(); ++i) {
+        const Touch& t = touches_[i];
+        if (t.place < piece && is_last_before(i, piece) && t.after.where == LocalState::Where::on) {
+            if (forms_->scene()[t.body].kind == SurfaceKind::sheet) continue;
+            for (const FaceId f : t.after.faces) add(f);
+        }
+    }
     std::ranges::sort(end);
     const auto repeated = std::ranges::unique(end);
     end.erase(repeated.begin(), repeated.end());
     return end;
+}
+
+// Whether touch i, before the piece, is the last one of its body there, which tells how it goes on.
+bool LineCut::is_last_before(std::size_t i, std::uint32_t piece) const {
+    return i + 1 == touches_.size() || touches_[i + 1].body != touches_[i].body ||
+           touches_[i + 1].place >= piece;
 }
 
 bool LineCut::stops(BodyId body, std::uint32_t place, std::uint32_t piece) const {

@@ -56,6 +56,9 @@ public:
     [[nodiscard]] std::span<const EdgeId> collinear_edges() const { return collinear_; }
 
     [[nodiscard]] SegmentLabel label(const Run& run) const;
+    /// What stops a segment that arrives at a place where the next piece is blocked, or a sheet crossed.
+    [[nodiscard]] SegmentEnd end_at(std::uint32_t place, std::uint32_t blocked_piece,
+                                    Heading towards) const;
     /// A body that blocks some piece between two places; none when they see each other.
     [[nodiscard]] BodyId blocker_between(std::uint32_t first, std::uint32_t last) const;
     /// The run that contains all places from first to last, which are two different ones.
@@ -83,10 +86,9 @@ private:
     void follow_solid(std::span<const Touch> touches);
     void follow_sheet(std::span<const Touch> touches);
     void seal();
+    [[nodiscard]] bool is_last_before(std::size_t touch, std::uint32_t piece) const;
     void find_runs();
     [[nodiscard]] BodyId body_of(const Contact& c) const;
-    [[nodiscard]] SegmentEnd end_at(std::uint32_t place, std::uint32_t blocked_piece,
-                                    Heading towards) const;
     [[nodiscard]] bool stops(BodyId body, std::uint32_t place, std::uint32_t piece) const;
     [[nodiscard]] Integer axis_form(const Contact& c, PlaneOf<Integer>& plane) const;
     void add_support(const Run& run, Support& support) const;
