@@ -137,7 +137,7 @@ USAGE = [
     ("render nothing", "render boxes.scene", {}, "",
      "sightline: no picture is named; give --png, --svg or --vtk a file"),
     ("render by unknown ending", "render boxes.scene -o out.jpg", {}, "",
-     "sightline: out.jpg: the ending tells no picture; name a .svg, .png or .vtp file"),
+     "sightline: out.jpg: the ending tells no picture; name a .svg, .png, .vtp or .vtm file"),
     ("render without scene", "render graph.json --svg out.svg", {"graph.json": GRAPH}, "",
      "sightline: only results are named; name their scene too"),
     ("render another scene", "render one.scene graph.json --svg out.svg", {"graph.json": GRAPH, "one.scene": "polygon 0 0, 1 0, 0 1\n"}, "",

@@ -8,10 +8,13 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 
 #include "scene/families3_support.hpp"
 #include "sightline/scene/families3.hpp"
+#include "sightline/scene/mesh_io.hpp"
+#include "sightline/scene/off.hpp"
 
 namespace sightline {
 namespace {
@@ -116,6 +119,50 @@ TEST_P(EveryFamily3, IsSoundAtItsDefaultSizes) {
 TEST_P(EveryFamily3, GivesTheSameBytesForTheSameSeed) {
     for (std::uint64_t seed = 0; seed < 3; ++seed)
         EXPECT_EQ(fingerprint(generate(defaults(), seed)), fingerprint(generate(defaults(), seed)));
+}
+
+TEST_P(EveryFamily3, ComesBackFromOff) {
+    const SceneInput3 scene = generate(defaults(), 7);
+    for (const MeshInput3& mesh : scene.meshes) {
+        std::ostringstream out;
+        write_off(out, {{mesh}, false});
+        const Result<MeshInput3> read = read_off(out.str(), {.kind = mesh.kind});
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(fingerprint({{*read}, false}), fingerprint({{mesh}, false}));
+    }
+}
+
+TEST_P(EveryFamily3, IsValidAtAHundredOrSo) {
+    std::vector<std::uint64_t> sizes;
+    for (const families::FamilyParameter& p : GetParam().parameters) {
+        const std::uint64_t size = GetParam().parameters.size() == 1 ? 100 : 8;
+        sizes.push_back(
+            std::clamp<std::uint64_t>(p.name == "LEVELS" ? 4 : size, p.least, p.greatest));
+    }
+    expect_valid(generate(sizes, 5), "size " + std::to_string(sizes.empty() ? 0 : sizes.front()));
+}
+
+TEST(WriteOff, NumbersAllMeshesThroughAndTellsAWorld) {
+    const SceneInput3 room = families::room_with_furniture({.polygons = 12}, 1);
+    std::ostringstream out;
+    write_off(out, room);
+    const Result<MeshInput3> read = read_off(out.str());
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->faces.size(), 12U);
+    EXPECT_EQ(read->vertices[8], room.meshes[1].vertices[0]);
+    EXPECT_EQ(read->faces[6][0], room.meshes[1].faces[0][0] + 8);
+    EXPECT_THAT(out.str(), HasSubstr("OFF\n# world: the first 6 faces bound the free world\n"));
+}
+
+TEST(WriteOff, KeepsEveryDouble) {
+    MeshInput3 mesh;
+    mesh.vertices = {{0.1, 1e300, -5e-324}, {1.0 / 3, 0x1.fffffffffffffp1023, 1}, {-0.0, 2, 1e22}};
+    mesh.faces = {{0, 1, 2}};
+    std::ostringstream out;
+    write_off(out, {{mesh}, false});
+    const Result<MeshInput3> read = read_off(out.str());
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(fingerprint({{*read}, false}), fingerprint({{mesh}, false}));
 }
 
 TEST_P(EveryFamily3, HasPrintableInfoAndDefaultsInRange) {
