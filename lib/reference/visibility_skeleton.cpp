@@ -45,7 +45,7 @@ private:
         NodeId node;
     };
     struct Arc {
-        Found found;  ///< one of its segments
+        Found found;     ///< one of its segments
         ExactEdge base;  ///< of the family
         End from;
         End to;
