@@ -54,60 +54,28 @@ struct Sweeper {
     }
 };
 
-/// Collects the families through one critical line.
-class FamilyFinder {
+/// Tells which of some features a family keeps.
+class Describer {
 public:
-    FamilyFinder(const SurdLine3& line, const Support& support, const Scene3& scene)
-        : line_(line), scene_(scene), vertices_(support.vertices) {
-        edges_ = support.edges;
-        edges_.insert(edges_.end(), support.along.begin(), support.along.end());
-        for (const VertexId v : vertices_) {
-            const auto at = scene.edges_at(v);
-            edges_.insert(edges_.end(), at.begin(), at.end());
-        }
+    Describer(std::vector<VertexId> vertices, std::vector<EdgeId> edges, const Scene3& scene)
+        : scene_(scene), vertices_(std::move(vertices)), edges_(std::move(edges)) {
         std::ranges::sort(edges_);
         edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
         for (const EdgeId e : edges_) carriers_.push_back(carrier(e, scene));
     }
 
-    std::vector<EventFamily> find() {
-        for (const VertexId v : vertices_) {
-            for (const RationalLine3& l : carriers_) add({place(v, scene_)}, {l});
-        }
-        for (std::size_t i = 0; i < carriers_.size(); ++i) {
-            for (std::size_t j = i + 1; j < carriers_.size(); ++j) {
-                for (std::size_t k = j + 1; k < carriers_.size(); ++k) {
-                    add({}, {carriers_[i], carriers_[j], carriers_[k]});
-                }
-            }
-        }
-        std::ranges::sort(found_, {}, [](const EventFamily& f) {
-            return std::tie(f.kind, f.vertices, f.edges, f.faces);
-        });
-        return std::move(found_);
-    }
+    [[nodiscard]] const std::vector<VertexId>& vertices() const { return vertices_; }
+    [[nodiscard]] const std::vector<RationalLine3>& carriers() const { return carriers_; }
 
-private:
-    void add(const std::vector<RationalPoint3>& points, const std::vector<RationalLine3>& lines) {
-        for (const Swath& swath : families_meeting(points, lines).swaths) {
-            const bool is_known =
-                std::ranges::any_of(found_, [&](const EventFamily& f) { return f.swath == swath; });
-            if (!is_known && swath.contains(line_)) found_.push_back(described(swath));
-        }
-    }
-
-    [[nodiscard]] EventFamily described(const Swath& swath) const {
+    [[nodiscard]] EventFamily operator()(const Swath& swath) const {
         EventFamily family{EventKind::eee, swath, {}, {}, {}};
         for (const VertexId v : vertices_) {
             if (swath.all_pass(place(v, scene_))) family.vertices.push_back(v);
         }
         for (std::size_t i = 0; i < edges_.size(); ++i) {
-            const Edge3& edge = scene_[edges_[i]];
-            const auto is_kept = [&](VertexId v) {
-                return std::ranges::find(family.vertices, v) != family.vertices.end();
-            };
-            if (is_kept(edge.source) || is_kept(edge.target)) continue;
-            if (swath.all_meet(carriers_[i])) family.edges.push_back(edges_[i]);
+            const bool is_through = std::ranges::any_of(
+                family.vertices, [&](VertexId v) { return is_on(carriers_[i], place(v, scene_)); });
+            if (!is_through && swath.all_meet(carriers_[i])) family.edges.push_back(edges_[i]);
         }
         family.faces = faces_of(family);
         if (family.vertices.empty()) {
@@ -118,6 +86,7 @@ private:
         return family;
     }
 
+private:
     /// Faces with a vertex or two edges among those kept, in whose planes the family lies.
     [[nodiscard]] std::vector<FaceId> faces_of(const EventFamily& family) const {
         std::vector<FaceId> candidates;
@@ -140,11 +109,63 @@ private:
         return faces;
     }
 
-    const SurdLine3& line_;
     const Scene3& scene_;
     std::vector<VertexId> vertices_;
     std::vector<EdgeId> edges_;
     std::vector<RationalLine3> carriers_;
+};
+
+/// The edges that a line with this support meets now, and those that it may meet when it leaves a vertex.
+std::vector<EdgeId> edges_near(const Support& support, const Scene3& scene) {
+    std::vector<EdgeId> edges = support.edges;
+    edges.insert(edges.end(), support.along.begin(), support.along.end());
+    for (const VertexId v : support.vertices) {
+        const auto at = scene.edges_at(v);
+        edges.insert(edges.end(), at.begin(), at.end());
+    }
+    return edges;
+}
+
+void sort_families(std::vector<EventFamily>& families) {
+    std::ranges::sort(families, {}, [](const EventFamily& f) {
+        return std::tie(f.kind, f.vertices, f.edges, f.faces);
+    });
+}
+
+/// Collects the families through one critical line.
+class FamilyFinder {
+public:
+    FamilyFinder(const SurdLine3& line, const Describer& describe, const Scene3& scene)
+        : line_(line), describe_(describe), scene_(scene) {}
+
+    std::vector<EventFamily> find() {
+        const auto& carriers = describe_.carriers();
+        for (const VertexId v : describe_.vertices()) {
+            for (const RationalLine3& l : carriers) add({place(v, scene_)}, {l});
+        }
+        for (std::size_t i = 0; i < carriers.size(); ++i) {
+            for (std::size_t j = i + 1; j < carriers.size(); ++j) {
+                for (std::size_t k = j + 1; k < carriers.size(); ++k) {
+                    add({}, {carriers[i], carriers[j], carriers[k]});
+                }
+            }
+        }
+        sort_families(found_);
+        return std::move(found_);
+    }
+
+private:
+    void add(const std::vector<RationalPoint3>& points, const std::vector<RationalLine3>& lines) {
+        for (const Swath& swath : families_meeting(points, lines).swaths) {
+            const bool is_known =
+                std::ranges::any_of(found_, [&](const EventFamily& f) { return f.swath == swath; });
+            if (!is_known && swath.contains(line_)) found_.push_back(describe_(swath));
+        }
+    }
+
+    const SurdLine3& line_;
+    const Describer& describe_;
+    const Scene3& scene_;
     std::vector<EventFamily> found_;
 };
 
@@ -171,7 +192,18 @@ std::vector<Swath> swaths_of(const VisualEvent& event, const Scene3& scene) {
 
 std::vector<EventFamily> families_at(const SurdLine3& line, const Support& support,
                                      const Scene3& scene) {
-    return FamilyFinder(line, support, scene).find();
+    const Describer describe(support.vertices, edges_near(support, scene), scene);
+    return FamilyFinder(line, describe, scene).find();
+}
+
+std::vector<EventFamily> families_keeping(const Support& support, const Scene3& scene) {
+    const Describer describe(support.vertices, support.edges, scene);
+    std::vector<EventFamily> families;
+    for (const Swath& swath : families_of(support, scene).swaths) {
+        families.push_back(describe(swath));
+    }
+    sort_families(families);
+    return families;
 }
 
 }  // namespace sightline

@@ -294,7 +294,7 @@ LineCurve3 Swath::curve() const {
 }
 
 LineCurve3 Swath::along(const RationalPoint3& p, const RationalPoint3& q) const {
-    const RationalLine3 over = line_through(p, q);
+    const RationalLine3 over = sightline::line_through(p, q);
     SIGHTLINE_EXPECT(over.is_line() && all_meet(over) && !contains(over));
     if (!is_regulus()) {
         SIGHTLINE_EXPECT(!is_on(over, centre_));
@@ -331,6 +331,22 @@ std::optional<std::vector<SurdLine3>> Swath::lines_meeting(const RationalLine3& 
     std::ranges::sort(lines);
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     return lines;
+}
+
+std::optional<RationalLine3> Swath::line_through(const RationalPoint3& p) const {
+    SIGHTLINE_EXPECT(!all_pass(p));
+    RationalLine3 line;
+    if (is_regulus()) {
+        // p is on at most one of the generators, and then that one fixes no plane.
+        const auto& [a, b, c] = generators_;
+        const bool on_a = is_on(a, p);
+        const bool on_b = is_on(b, p);
+        line = sightline::line_through(p, on_a ? c : a, on_b ? c : b);
+    } else {
+        line = join(centre_, {vector_to(p), 1});
+    }
+    if (!contains(line)) return std::nullopt;
+    return scaled(line);
 }
 
 std::ostream& operator<<(std::ostream& out, const Swath& swath) {

@@ -196,6 +196,25 @@ RC_GTEST_PROP(RegulusLaw, SidesOfTheSurfaceAreSidesOfTheThirdLine, ()) {
     RC_ASSERT(swath.contains(line) == is_zero(swath.surface()(x)));
 }
 
+RC_GTEST_PROP(LineThroughLaw, PointOfASwathHasItsLineAndNoOtherPointOne, ()) {
+    const auto [a, b, c] = skew_lines();
+    const RationalPoint3 v = any_point3();
+    for (const Swath& swath : {Swath::regulus(a, b, c), Swath::pencil({c.d, 0}, a)}) {
+        const auto through = swath.line_through(v);
+        if (through) RC_ASSERT(swath.contains(*through) && is_on(*through, v));
+        if (!is_zero(swath.surface()(v))) RC_ASSERT(!through.has_value());
+        const RationalPoint3 on_a = foot_of_origin(a);
+        const RationalLine3 line = swath.along(on_a, on_a + a.d).at(any_parameter());
+        if (line.d.is_zero()) continue;
+        const RationalPoint3 p = foot_of_origin(line);
+        const auto again = swath.line_through(p);
+        RC_ASSERT(again.has_value());
+        RC_ASSERT(*again == scaled(line));
+        const auto at_a = swath.line_through(on_a);
+        if (at_a) RC_ASSERT(is_on(*at_a, on_a));
+    }
+}
+
 RC_GTEST_PROP(LinesMeetingLaw, FourthLineLeavesAtMostTwoLines, ()) {
     const auto [a, b, c] = skew_lines();
     const RationalLine3 l = any_line3();

@@ -73,7 +73,7 @@ struct EventFamily {
     EventKind kind{};
     Swath swath;
     std::vector<VertexId> vertices;  ///< on every line
-    /// Whose carriers every line meets, without those that end at `vertices`.
+    /// Whose carriers every line meets, without carriers that pass through `vertices`.
     std::vector<EdgeId> edges;
     /// In whose planes all lines lie, with one of the vertices or two of the edges on the face.
     std::vector<FaceId> faces;
@@ -93,5 +93,10 @@ struct EventFamily {
 /// Cost O(n³) for n such edges.
 [[nodiscard]] std::vector<EventFamily> families_at(const SurdLine3& line, const Support& support,
                                                    const Scene3& scene);
+
+/// The one-parameter families of lines that keep a whole support: where the arcs with this support lie, of the
+/// kind that the arc has. `along` is not looked at.
+[[nodiscard]] std::vector<EventFamily> families_keeping(const Support& support,
+                                                        const Scene3& scene);
 
 }  // namespace sightline

@@ -155,6 +155,8 @@ public:
     /// The lines of the family that meet l or are parallel to it, ascending in the order of scaled
     /// vectors; empty optional when all do.
     [[nodiscard]] std::optional<std::vector<SurdLine3>> lines_meeting(const RationalLine3& l) const;
+    /// The line of the family through p, scaled, if there is one; contract: not all pass through p.
+    [[nodiscard]] std::optional<RationalLine3> line_through(const RationalPoint3& p) const;
 
     friend bool operator==(const Swath& a, const Swath& b) { return a.span_ == b.span_; }
     friend std::ostream& operator<<(std::ostream& out, const Swath& swath);
