@@ -156,34 +156,39 @@ Integer scaled_floor(const ExactParameter& t, unsigned bits) {
     return result;
 }
 
-Parameter between_exactly(const Parameter& a, const Parameter& b) {
+/// Where in the gap the attempt's number lies, as a share of 64: not the middle, which scenes like to hold
+/// something at.
+unsigned share_of(unsigned attempt) { return 8 + (23 + 19 * attempt) % 48; }
+
+Parameter between_exactly(const Parameter& a, const Parameter& b, unsigned attempt) {
     // Ends for a < b; a wrong order, from inexact arithmetic, must not keep it going.
     for (unsigned bits = 64; bits <= 1U << 16U; bits *= 2) {
         // Each floor is less than 2 below its number.
         const Integer low = scaled_floor(a.exact(), bits) + 2;
         const Integer high = scaled_floor(b.exact(), bits);
-        if (high <= low) continue;
+        if (high <= low + 64) continue;
         Integer denominator = 1;
         mpz_mul_2exp(denominator.get_mpz_t(), denominator.get_mpz_t(), bits);
-        return Parameter::rational(Integer((low + high) / 2), denominator);
+        const Integer numerator = low + (high - low) / 64 * share_of(attempt);
+        return Parameter::rational(numerator, denominator);
     }
     return Parameter::dyadic(a.real().value() / 2 + b.real().value() / 2);
 }
 
 }  // namespace
 
-Parameter between(const Parameter& a, const Parameter& b) {
+Parameter between(const Parameter& a, const Parameter& b, unsigned attempt) {
     const double low = a.upper();
     const double high = b.lower();
     if (low < high && std::isfinite(low) && std::isfinite(high)) {
         // A multiple of a power of two of the gap's size: few digits, so exact lines stay short.
-        const double step = std::ldexp(1.0, std::max(std::ilogb(high - low) - 1, -1000));
-        const double t = (std::floor(low / step) + 1) * step;
+        const double wanted = low + (high - low) * (share_of(attempt) / 64.0);
+        const double step = std::ldexp(1.0, std::max(std::ilogb(high - low) - 5, -1000));
+        const double t = std::round(wanted / step) * step;
         if (low < t && t < high) return Parameter::dyadic(t);
-        const double middle = low / 2 + high / 2;
-        if (low < middle && middle < high) return Parameter::dyadic(middle);
+        if (low < wanted && wanted < high) return Parameter::dyadic(wanted);
     }
-    return between_exactly(a, b);
+    return between_exactly(a, b, attempt);
 }
 
 PluckerOf<Real> CurvePoint::real_line() const {

@@ -55,8 +55,8 @@ private:
 /// Order of two parameters of one curve.
 [[nodiscard]] Sign compare(const Policy& policy, const Parameter& a, const Parameter& b);
 
-/// A rational number strictly between a < b, of few digits.
-[[nodiscard]] Parameter between(const Parameter& a, const Parameter& b);
+/// A rational number strictly between a < b, of few digits; another one for each attempt.
+[[nodiscard]] Parameter between(const Parameter& a, const Parameter& b, unsigned attempt = 0);
 
 /// The line of a curve at a parameter; both must outlive it.
 class CurvePoint final : public LineSource {

@@ -7,33 +7,15 @@
 
 namespace sightline::detail {
 
-namespace {
-
-/// Whether the line meets the closed edge, given that it meets the edge's line; the filter's first word.
-/// Empty when it does not know.
-std::optional<bool> surely_meets(const SceneForms& forms, const PluckerOf<Real>& line, EdgeId e) {
-    const Edge3& edge = forms.scene()[e];
-    const Vec3<Real> at_source = normal_from(line, forms.point<Real>(edge.source));
-    const Vec3<Real> at_target = normal_from(line, forms.point<Real>(edge.target));
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto s = at_source[i].sign();
-        const auto t = at_target[i].sign();
-        if (!s || !t || *s == Sign::zero || *t == Sign::zero) continue;
-        return *s != *t;
-    }
-    return std::nullopt;
-}
-
-}  // namespace
-
 Sweep::Sweep(const SceneForms& forms, const Policy& policy, SweepOutput output)
     : forms_(forms), policy_(policy), output_(std::move(output)), cut_(forms) {}
 
 void Sweep::run(const Curve& curve) {
-    const auto valid = intervals(curve);
-    if (valid.empty()) return;
-    collect_events(curve);
-    for (const Interval& interval : valid) sweep(curve, interval);
+    for (const Interval& interval : intervals(curve)) {
+        blocked_.clear();
+        explore(curve, interval, 0);
+        find_lonely_nodes(curve);
+    }
 }
 
 bool Sweep::meets_generators(const Curve& curve, const Parameter& t) const {
@@ -96,106 +78,73 @@ std::vector<Sweep::Interval> Sweep::intervals(const Curve& curve) const {
     return result;
 }
 
-void Sweep::collect_events(const Curve& curve) {
-    events_.clear();
-    for (std::uint32_t e = 0; e < forms_.edge_count(); ++e) add_edge_events(curve, EdgeId{e});
-    std::ranges::sort(events_, [&](const Event& a, const Event& b) {
-        return compare(policy_, a.t, b.t) == Sign::negative;
-    });
-}
-
-void Sweep::add_edge_events(const Curve& curve, EdgeId e) {
-    if (std::ranges::find(curve.edges(), e) != curve.edges().end()) {
-        if (e != curve.base()) add_vertex_events(curve, e);
-        return;
-    }
-    const EventForm form{EventForm::Kind::line, e.value, VertexId::none(), 0};
-    const Quadratic<Real> q = curve.evaluate<Real>(form);
-    if (curve.vanishes(q, form)) {
-        add_vertex_events(curve, e);
-        return;
-    }
-    for (Parameter& t : roots(curve, form, q)) {
-        if (t.upper() < 0 || t.lower() > 1) continue;
-        const CurvePoint point(curve, t);
-        if (surely_meets(forms_, point.real_line(), e) == false) continue;
-        events_.push_back({std::move(t), e});
-    }
-}
-
-void Sweep::add_vertex_events(const Curve& curve, EdgeId e) {
-    for (const VertexId v : {forms_.scene()[e].source, forms_.scene()[e].target}) {
-        const auto form = curve.vertex_form(v, e);
-        if (!form) continue;
-        for (Parameter& t : roots(curve, *form, curve.evaluate<Real>(*form))) {
-            if (t.upper() < 0 || t.lower() > 1) continue;
-            events_.push_back({std::move(t), e});
+void Sweep::explore(const Curve& curve, const Interval& interval, unsigned depth) {
+    // A sample may happen to be an event: then another one is taken.
+    for (unsigned attempt = 0; attempt < 64; ++attempt) {
+        const Parameter t = between(interval.first, interval.last, depth + attempt);
+        const State state = look(curve, t);
+        Reach reach;
+        bool hit = false;
+        if (state.is_free) {
+            ReachSearch search(curve, interval.first, interval.last, t);
+            search.search_segment(state.stopping, {});
+            hit = search.hit_sample();
+            reach = search.reach();
+            if (!hit) follow_arc(curve, interval, t, state, reach);
+        } else {
+            reach = blocked_reach(curve, interval, t, state, hit);
         }
+        if (hit) continue;
+        if (reach.left_is_event) explore(curve, {interval.first, reach.left}, depth + 1);
+        if (!state.is_free) blocked_.push_back(reach);
+        if (reach.right_is_event) explore(curve, {reach.right, interval.last}, depth + 1);
+        return;
     }
 }
 
-void Sweep::sweep(const Curve& curve, const Interval& interval) {
-    // Groups of events at one parameter, from the interval's first to its last.
-    std::vector<Event> inside;
-    for (const Event& e : events_) {
-        if (compare(policy_, e.t, interval.first) != Sign::positive) continue;
-        if (compare(policy_, e.t, interval.last) != Sign::negative) continue;
-        inside.push_back(e);
+Reach Sweep::blocked_reach(const Curve& curve, const Interval& interval, const Parameter& t,
+                           const State& state, bool& hit) const {
+    ReachSearch search(curve, interval.first, interval.last, t);
+    if (!state.blocker.is_none()) {
+        search.search_edges(forms_.edges_of(state.blocker));
+    } else if (!state.blocker_body.is_none()) {
+        search.search_edges(forms_.edges_of(state.blocker_body));
     }
-    State state;
-    std::vector<Event> group{{interval.first, EdgeId::none()}};
-    std::size_t next = 0;
+    hit = search.hit_sample();
+    return search.reach();
+}
+
+/// Records the arc through t. Events that do not touch the segment after all are dismissed, and the
+/// search goes on behind them.
+void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Parameter& t,
+                       const State& state, Reach& reach) {
+    std::vector<Dismissed> dismissed;
     while (true) {
-        const Parameter& right = next < inside.size() ? inside[next].t : interval.last;
-        pass(curve, group, right, true, state);
-        if (next >= inside.size()) break;
-        group.assign(1, inside[next++]);
-        while (next < inside.size() &&
-               compare(policy_, group.front().t, inside[next].t) == Sign::zero) {
-            group.push_back(inside[next++]);
+        const auto left = node_at(curve, reach.left, reach.left_is_event ? &state.label : nullptr);
+        const auto right =
+            node_at(curve, reach.right, reach.right_is_event ? &state.label : nullptr);
+        if (left && right) {
+            output_.add_arc({state.type, state.label, {NodeId{*left}, NodeId{*right}}});
+            return;
         }
+        if (!left && reach.left_is_event) dismissed.push_back(reach.left_event);
+        if (!right && reach.right_is_event) dismissed.push_back(reach.right_event);
+        if ((!left && !reach.left_is_event) || (!right && !reach.right_is_event)) return;
+        ReachSearch search(curve, interval.first, interval.last, t);
+        search.search_segment(state.stopping, dismissed);
+        reach = search.reach();
     }
-    group.assign(1, {interval.last, EdgeId::none()});
-    pass(curve, group, interval.last, false, state);
 }
 
-bool Sweep::concerns(const Curve& /*curve*/, std::span<const Event> group,
-                     const State& state) const {
-    if (!state.is_known || state.is_free) return true;
-    for (const Event& e : group) {
-        if (e.edge.is_none()) return true;
-        if (state.blocker.is_none() || forms_.scene()[e.edge].body == state.blocker) return true;
+/// Between two blocked neighbours a single line may be free, where both stays end at once.
+void Sweep::find_lonely_nodes(const Curve& curve) {
+    for (std::size_t i = 1; i < blocked_.size(); ++i) {
+        const Reach& left = blocked_[i - 1];
+        const Reach& right = blocked_[i];
+        if (!left.right_is_event || !right.left_is_event) continue;
+        if (compare(policy_, left.right, right.left) != Sign::zero) continue;
+        (void)node_at(curve, left.right, nullptr);
     }
-    return false;
-}
-
-void Sweep::pass(const Curve& curve, std::span<const Event> group, const Parameter& right,
-                 bool has_right, State& state) {
-    if (!concerns(curve, group, state)) return;
-    const Event& event = group.front();
-    const bool was_free = state.is_known && state.is_free;
-    std::optional<std::uint32_t> node;
-    if (was_free) {
-        node = node_at(curve, event, &state.label);
-        if (!node) return;
-        add_arc(curve, state, *node);
-    }
-    State after;
-    if (has_right) look(curve, between(event.t, right), after);
-    if (!was_free && !event.edge.is_none()) {
-        // A line may be free between two blocked neighbours only where more happens than one crossing.
-        const bool may_be_alone =
-            group.size() > 1 || event.t.is_double() || forms_.scene().has_touching_bodies();
-        if (after.is_free || may_be_alone) node = node_at(curve, event, nullptr);
-    } else if (!was_free && after.is_free) {
-        node = node_at(curve, event, nullptr);
-    }
-    if (after.is_free) {
-        SIGHTLINE_AUDIT(node.has_value());
-        if (!node) after = State{};
-        if (node) after.node = *node;
-    }
-    state = std::move(after);
 }
 
 std::optional<std::pair<std::uint32_t, std::uint32_t>> Sweep::generator_places(
@@ -218,28 +167,40 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> Sweep::generator_places(
     return std::pair{first, last};
 }
 
-void Sweep::look(const Curve& curve, const Parameter& t, State& state) {
-    state.is_known = true;
+Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
+    State state;
     const CurvePoint point(curve, t);
     const Line line(point.real_line(), point, policy_);
-    cut_.cut(line);
+    KnownFeatures known;
+    const VertexId vertex = curve.vertex();
+    if (curve.kind() == CurveKind::vertex_pencil) known.vertices = {&vertex, 1};
+    known.edges = curve.edges();
+    known.is_general = true;
+    cut_.cut(line, known);
     const auto places = generator_places(curve);
-    if (!places) return;
+    if (!places) return state;
     const auto run = cut_.run_through(places->first, places->second);
     if (!run) {
-        state.blocker = cut_.blocker_between(places->first, places->second);
-        return;
+        state.blocker = cut_.face_between(places->first, places->second);
+        state.blocker_body = cut_.blocker_between(places->first, places->second);
+        return state;
     }
     state.is_free = true;
     state.label = cut_.label(*run);
     state.type = arc_type(forms_, cut_, *run, line, state.label);
+    state.stopping = cut_.stopping_faces(*run);
+    return state;
 }
 
-std::optional<std::uint32_t> Sweep::node_at(const Curve& curve, const Event& event,
+std::optional<std::uint32_t> Sweep::node_at(const Curve& curve, const Parameter& t,
                                             const SegmentLabel* unless) {
-    const CurvePoint point(curve, event.t);
+    const CurvePoint point(curve, t);
     const Line line(point.real_line(), point, policy_);
-    cut_.cut(line);
+    KnownFeatures known;
+    const VertexId vertex = curve.vertex();
+    if (curve.kind() == CurveKind::vertex_pencil) known.vertices = {&vertex, 1};
+    known.edges = curve.edges();
+    cut_.cut(line, known);
     const auto places = generator_places(curve);
     if (!places) return std::nullopt;
     const auto run = cut_.run_through(places->first, places->second);
@@ -247,12 +208,8 @@ std::optional<std::uint32_t> Sweep::node_at(const Curve& curve, const Event& eve
     SegmentLabel label = cut_.label(*run);
     if (unless != nullptr && label == *unless) return std::nullopt;
     FoundNode found = describe_node(forms_, cut_, *run, line, std::move(label));
-    found.node.root = root_of(curve, event.t, line, found.node);
+    found.node.root = root_of(curve, t, line, found.node);
     return output_.add_node(std::move(found));
-}
-
-void Sweep::add_arc(const Curve& /*curve*/, const State& state, std::uint32_t last) {
-    output_.add_arc({state.type, state.label, {NodeId{state.node}, NodeId{last}}});
 }
 
 }  // namespace sightline::detail

@@ -3,11 +3,16 @@
 
 /// Follows the maximal free segments that touch a curve's generators along the curve: arcs, and the nodes
 /// between them. Private.
+///
+/// A stay of the line in one state (free with one label, or blocked by one face) is found from a sample
+/// inside it, and extended to both sides up to the nearest event that ends it; then what is left of the
+/// curve on both sides is searched likewise. So the work is one line cut and one search a state,
+/// and only what is near the segments concerned is ever looked at.
 
 #include <functional>
 
 #include "sightline/skeleton/visibility_skeleton.hpp"
-#include "skeleton/parameter.hpp"
+#include "skeleton/reach.hpp"
 #include "spatial/line_cut.hpp"
 
 namespace sightline::detail {
@@ -38,49 +43,40 @@ public:
     void run(const Curve& curve);
 
 private:
-    struct Event {
-        Parameter t;
-        EdgeId edge;  ///< none at the ends of the curve
-    };
-    /// What is known between two events.
-    struct State {
-        bool is_free = false;
-        bool is_known = false;
-        SegmentLabel label;
-        ArcType type{};
-        BodyId blocker;
-        std::uint32_t node = 0;  ///< where the arc begins
-    };
     struct Interval {
         Parameter first, last;
     };
-
+    /// The line at one parameter between events.
+    struct State {
+        bool is_free = false;
+        SegmentLabel label;
+        ArcType type{};
+        StoppingFaces stopping;
+        FaceId blocker;       ///< crossed inside between the generators
+        BodyId blocker_body;  ///< when no face is
+    };
     [[nodiscard]] std::vector<Interval> intervals(const Curve& curve) const;
     [[nodiscard]] bool meets_generators(const Curve& curve, const Parameter& t) const;
-    void collect_events(const Curve& curve);
-    void add_edge_events(const Curve& curve, EdgeId e);
-    void add_vertex_events(const Curve& curve, EdgeId e);
-    void sweep(const Curve& curve, const Interval& interval);
-    void pass(const Curve& curve, std::span<const Event> group, const Parameter& right,
-              bool has_right, State& state);
-    [[nodiscard]] bool concerns(const Curve& curve, std::span<const Event> group,
-                                const State& state) const;
-    [[nodiscard]] std::optional<std::uint32_t> node_at(const Curve& curve, const Event& event,
+    void explore(const Curve& curve, const Interval& interval, unsigned depth);
+    [[nodiscard]] State look(const Curve& curve, const Parameter& t);
+    void follow_arc(const Curve& curve, const Interval& interval, const Parameter& t,
+                    const State& state, Reach& reach);
+    [[nodiscard]] Reach blocked_reach(const Curve& curve, const Interval& interval,
+                                      const Parameter& t, const State& state, bool& hit) const;
+    [[nodiscard]] std::optional<std::uint32_t> node_at(const Curve& curve, const Parameter& t,
                                                        const SegmentLabel* unless);
-    void look(const Curve& curve, const Parameter& t, State& state);
     [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> generator_places(
         const Curve& curve) const;
-    void add_arc(const Curve& curve, const State& state, std::uint32_t last);
+    void find_lonely_nodes(const Curve& curve);
 
     const SceneForms& forms_;
     const Policy& policy_;
     SweepOutput output_;
     LineCut cut_;
-    std::vector<Event> events_;
-    std::vector<EdgeId> permanent_;
+    std::vector<Reach> blocked_;  ///< stays in blocked states, from left to right
 };
 
-/// Type, elements and root of the node whose line has been cut.
+/// Type and elements of the node whose line has been cut.
 [[nodiscard]] FoundNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& run,
                                       const Line& line, SegmentLabel&& label);
 [[nodiscard]] ArcType arc_type(const SceneForms& forms, const LineCut& cut, const Run& run,

@@ -17,9 +17,9 @@ LineCut::LineCut(const SceneForms& forms)
     side_sign_.resize(forms.line_count());
 }
 
-void LineCut::cut(const Line& line) {
+void LineCut::cut(const Line& line, const KnownFeatures& known) {
     line_ = &line;
-    collect();
+    collect(known);
     find_axis();
     position_contacts();
     sort_into_places();
@@ -28,10 +28,31 @@ void LineCut::cut(const Line& line) {
     find_runs();
 }
 
-void LineCut::collect() {
+void LineCut::assume(const KnownFeatures& known) {
+    const auto meets = [&](EdgeId e) {
+        side_stamp_[e.index()] = stamp_;
+        side_sign_[e.index()] = Sign::zero;
+    };
+    for (const VertexId v : known.vertices) {
+        add_vertex(v);
+        for (const EdgeId e : forms_->scene().edges_at(v)) {
+            meets(e);
+            if (known.is_general) edge_stamp_[e.index()] = stamp_;
+        }
+    }
+    for (const EdgeId e : known.edges) {
+        meets(e);
+        if (!known.is_general || edge_stamp_[e.index()] == stamp_) continue;
+        edge_stamp_[e.index()] = stamp_;
+        contacts_.push_back({Feature::edge, e.value, Real{}, 0});
+    }
+}
+
+void LineCut::collect(const KnownFeatures& known) {
     contacts_.clear();
     collinear_.clear();
     ++stamp_;
+    assume(known);
     const LineBoxTest meets(line_->real());
     forms_->triangles().traverse(meets, [&](std::uint32_t t) { add_triangle(t); });
 }
@@ -378,6 +399,29 @@ BodyId LineCut::blocker_between(std::uint32_t first, std::uint32_t last) const {
         if (blocked_[piece]) return blocker_[piece];
     }
     return BodyId::none();
+}
+
+FaceId LineCut::face_between(std::uint32_t first, std::uint32_t last) const {
+    for (const Contact& c : contacts_) {
+        if (c.feature == Feature::face && first < c.place && c.place < last) return FaceId{c.id};
+    }
+    return FaceId::none();
+}
+
+StoppingFaces LineCut::stopping_faces(const Run& run) const {
+    const auto faces_at = [&](std::uint32_t place, std::uint32_t piece, Heading towards) {
+        std::vector<FaceId> faces;
+        for (const FaceSide& side : end_at(place, piece, towards)) {
+            const auto sign = dot(forms_->plane<Real>(side.face).n, line_->real().d).sign();
+            const Sign entering = towards == Heading::forward ? Sign::negative : Sign::positive;
+            if (sign == entering && !side.back) faces.push_back(side.face);
+        }
+        return faces;
+    };
+    StoppingFaces faces;
+    if (run.first != Run::none) faces[0] = faces_at(run.first, run.first, Heading::backward);
+    if (run.last != Run::none) faces[1] = faces_at(run.last, run.last + 1, Heading::forward);
+    return faces;
 }
 
 std::optional<Run> LineCut::run_through(std::uint32_t first, std::uint32_t last) const {

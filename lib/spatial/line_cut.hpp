@@ -37,13 +37,27 @@ struct Run {
     }
 };
 
+/// For both ends of a segment: what is behind all planes of an end is behind the end.
+using StoppingFaces = std::array<std::vector<FaceId>, 2>;
+
+/// What is known to be on a line before it is cut: signs that need no computing.
+struct KnownFeatures {
+    /// The line passes through these.
+    std::span<const VertexId> vertices;
+    /// The line meets the lines of these.
+    std::span<const EdgeId> edges;
+    /// The line is no special member of its family: it meets those edges in their relative interior, and
+    /// contains no edge that ends at those vertices.
+    bool is_general = false;
+};
+
 /// Keeps its buffers from one line to the next.
 class LineCut {
 public:
     explicit LineCut(const SceneForms& forms);
 
     /// Cuts the line. The line must live until the next call.
-    void cut(const Line& line);
+    void cut(const Line& line, const KnownFeatures& known = {});
 
     [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
     [[nodiscard]] std::uint32_t place_count() const { return place_count_; }
@@ -61,6 +75,10 @@ public:
                                     Heading towards) const;
     /// A body that blocks some piece between two places; none when they see each other.
     [[nodiscard]] BodyId blocker_between(std::uint32_t first, std::uint32_t last) const;
+    /// A face that the line crosses inside, strictly between two places; none when there is none.
+    [[nodiscard]] FaceId face_between(std::uint32_t first, std::uint32_t last) const;
+    /// For each end of the run, faces whose planes the line surely crosses there, from front to back.
+    [[nodiscard]] StoppingFaces stopping_faces(const Run& run) const;
     /// The run that contains all places from first to last, which are two different ones.
     [[nodiscard]] std::optional<Run> run_through(std::uint32_t first, std::uint32_t last) const;
 
@@ -72,7 +90,8 @@ private:
         LocalState before, after;
     };
 
-    void collect();
+    void collect(const KnownFeatures& known);
+    void assume(const KnownFeatures& known);
     void add_triangle(std::uint32_t triangle);
     [[nodiscard]] Sign side_of(std::size_t line_index);
     void add_edge(EdgeId e);

@@ -120,6 +120,15 @@ void SceneForms::find_shapes() {
             }
         }
     }
+    face_edges_.resize(scene_->faces().size());
+    body_edges_.resize(scene_->bodies().size());
+    for (std::uint32_t e = 0; e < scene_->edges().size(); ++e) {
+        const Edge3& edge = scene_->edges()[e];
+        body_edges_[edge.body.index()].push_back(EdgeId{e});
+        for (const FaceId f : edge.faces) {
+            if (!f.is_none()) face_edges_[f.index()].push_back(EdgeId{e});
+        }
+    }
     for (const Edge3& e : scene_->edges()) {
         const bool is_sheet = (*scene_)[e.body].kind == SurfaceKind::sheet;
         EdgeShape shape = EdgeShape::border;

@@ -73,6 +73,13 @@ public:
     [[nodiscard]] const std::vector<FaceId>& faces_at(VertexId v) const {
         return faces_at_[v.index()];
     }
+    /// The feature edges on the boundary of a face; those of a body.
+    [[nodiscard]] const std::vector<EdgeId>& edges_of(FaceId f) const {
+        return face_edges_[f.index()];
+    }
+    [[nodiscard]] const std::vector<EdgeId>& edges_of(BodyId b) const {
+        return body_edges_[b.index()];
+    }
     /// The body v belongs to; none when v is no feature.
     [[nodiscard]] BodyId body_of(VertexId v) const {
         const auto edges = scene_->edges_at(v);
@@ -105,6 +112,8 @@ private:
     std::vector<EdgeShape> edge_shapes_;
     std::vector<VertexShape> vertex_shapes_;
     std::vector<std::vector<FaceId>> faces_at_;
+    std::vector<std::vector<EdgeId>> face_edges_;
+    std::vector<std::vector<EdgeId>> body_edges_;
     std::vector<VertexId> places_;
     Bvh triangles_;
     Bvh edges_;

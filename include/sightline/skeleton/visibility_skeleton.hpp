@@ -35,7 +35,7 @@ enum class NodeType : std::uint8_t {
     vv,  ///< two places with vertices (or with edges that cross in a point)
     fve,  ///< one such place, and a face in whose plane the line lies with two features on its border
     vee,   ///< one such place and two more edges
-    ff,    ///< no vertex; two faces in whose planes the line lies
+    ff,    ///< no vertex; two faces, in different planes, in both of which the line lies
     fee,   ///< no vertex; one face in whose plane the line lies, and two more edges
     eeee,  ///< edges only
 };
@@ -80,7 +80,11 @@ struct SkeletonArc {
 ///  (2) A place with a vertex, or where two edges that are not on one line meet, fixes a point of the line;
 ///      otherwise a place fixes that the line meets one line. The dimension of a cell is that of the set of
 ///      lines that keep these conditions.
-///  (3) A degenerate node is one node, named by its whole support, and lies at the end of every arc whose
+///  (3) A line through a vertex v may be the end of an arc of lines that cross two edges at v (mostly the corner
+///      of a face, in the plane of that face), although its own support leaves it a degree of freedom. It
+///      is a node, of type FvE or VEE, and divides the arc through it. (Past a convex corner of a face every EV
+///      arc has such a node where it passes the face's plane.)
+///  (4) A degenerate node is one node, named by its whole support, and lies at the end of every arc whose
 ///      closure contains it.
 ///
 /// Nodes and arcs are sorted; arcs name nodes by their rank. Equal scenes give equal values.
