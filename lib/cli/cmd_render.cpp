@@ -70,6 +70,11 @@ void add_picture_arguments(CLI::App& app, PictureArguments& arguments) {
     app.add_option("--title", arguments.title, "above the picture")->type_name("TEXT");
     app.add_flag("--vertices", arguments.vertices, "mark the vertices");
     app.add_flag("--labels", arguments.labels, "name the vertices");
+    add_sheet_arguments(app, arguments.scene);
+    app.add_option("--look-from", arguments.camera.look_from,
+                   "of space: the direction towards the eye; 1,-1,1 unless given")
+        ->type_name("X,Y,Z");
+    app.add_flag("--see-through", arguments.camera.see_through, "of space: solids like glass");
 }
 
 }  // namespace
@@ -77,7 +82,7 @@ void add_picture_arguments(CLI::App& app, PictureArguments& arguments) {
 void add_render(Program& program) {
     const auto arguments = std::make_shared<RenderArguments>();
     CLI::App& app =
-        program.add("render", "picture of a scene and of result files",
+        program.add("render", "picture of a scene, of the plane or of space, and of result files",
                     "sightline render map.wkt graph.json path.json --png picture.png",
                     [arguments](Session& session) { return run_render(*arguments, session); });
     add_picture_arguments(app, arguments->picture);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/picture.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
 #include <vector>
 
 #include "cli/scene_loading.hpp"
@@ -41,7 +45,45 @@ Result<void> add_result(viz::DrawList& list, const Scene2& scene, const ResultFi
     return {};
 }
 
+/// The scene of space that the files are.
+Result<viz::DrawList> load_space(const SceneArguments& scene, const PictureArguments& arguments,
+                                 Session& session) {
+    Result<viz::DrawOptions3> options = options_of(arguments.camera);
+    if (!options) return tl::unexpected(options.error());
+    options->title = arguments.title;
+    options->vertices = arguments.vertices;
+    options->vertex_labels = arguments.labels;
+    const Result<LoadedScene3> loaded = load_scene3(scene, session);
+    if (!loaded) return tl::unexpected(loaded.error());
+    return session.timed("build", "drawing", [&] { return viz::draw(loaded->scene, *options); });
+}
+
 }  // namespace
+
+Result<viz::DrawOptions3> options_of(const CameraArguments& arguments) {
+    viz::DrawOptions3 options;
+    if (arguments.see_through) options.solid_opacity = 0.3;
+    if (arguments.look_from.empty()) return options;
+    std::vector<double> numbers;
+    std::istringstream in(arguments.look_from);
+    for (std::string word; std::getline(in, word, ',');) {
+        const std::optional<Rational> number = Rational::parse(word);
+        if (!number) break;
+        numbers.push_back(number->approx_double());
+    }
+    const bool is_direction =
+        numbers.size() == 3 && std::ranges::any_of(numbers, [](double x) { return x != 0; }) &&
+        std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); }) &&
+        std::ranges::count(arguments.look_from, ',') == 2;
+    if (!is_direction) {
+        return fail(Errc::bad_parameter,
+                    "--look-from: '" + arguments.look_from +
+                        "' is no direction; write X,Y,Z from the scene towards the eye, not all "
+                        "zero, as in 1,-2,1.5");
+    }
+    options.camera.from = {numbers[0], numbers[1], numbers[2]};
+    return options;
+}
 
 Result<viz::DrawList> picture_of(const Scene2& scene, std::span<const ResultFile> results,
                                  viz::DrawOptions options) {
@@ -69,8 +111,16 @@ Result<viz::DrawList> load_picture(const PictureArguments& arguments, Session& s
         adopt_options(*result, scene);
         results.push_back(std::move(*result));
     }
-    if (scene.files.empty()) {
+    if (scene.files.empty() && scene.sheet_files.empty()) {
         return fail(Errc::bad_parameter, "only results are named; name their scene too");
+    }
+    if (names_meshes(scene)) {
+        if (!results.empty()) {
+            return fail(Errc::unsupported, results.front().path + ": results of the kind '" +
+                                               results.front().kind +
+                                               "' are not drawn in scenes of space");
+        }
+        return load_space(scene, arguments, session);
     }
     const Result<LoadedScene> loaded = load_scene(scene, session);
     if (!loaded) return tl::unexpected(loaded.error());
