@@ -8,7 +8,7 @@ namespace sightline::reference {
 namespace {
 
 template <typename Number>
-std::vector<SegmentLabel> labels(const ExactScene3& exact, const BasicLine3<Number>& line) {
+std::vector<SegmentLabel> labels(const ExactTriangles& exact, const BasicLine3<Number>& line) {
     SIGHTLINE_EXPECT(line.is_line());
     const Number size = dot(line.d, line.d);
     const BasicVector3<Number> foot = (Number(1) / size) * cross(line.d, line.m);
@@ -23,20 +23,20 @@ std::vector<SegmentLabel> labels(const ExactScene3& exact, const BasicLine3<Numb
 }  // namespace
 
 bool is_interior(const Scene3& scene, const RationalPoint3& x) {
-    const ExactScene3 exact(scene);
-    return Picture3<Rational>(exact, vector_to(x), false).is_interior();
+    const ExactTriangles exact(scene);
+    return LocalPicture<Rational>(exact, vector_to(x), false).is_interior();
 }
 
 bool is_free(const Scene3& scene, const RationalPoint3& p, const RationalPoint3& q) {
     if (p == q) return !is_interior(scene, p);
-    const ExactScene3 exact(scene);
+    const ExactTriangles exact(scene);
     const LineCut3<Rational> cut(exact, vector_to(p), q - p, {Rational(0), Rational(1)});
     return cut.is_free(cut.index_of(Rational(0)), cut.index_of(Rational(1)));
 }
 
 FreeEnd3 first_hit(const Scene3& scene, const RationalPoint3& p, const Vector3& direction) {
     SIGHTLINE_EXPECT(!direction.is_zero());
-    const ExactScene3 exact(scene);
+    const ExactTriangles exact(scene);
     const LineCut3<Rational> cut(exact, vector_to(p), direction, {Rational(0)});
     const auto stop = cut.stop_after(cut.index_of(Rational(0)));
     if (!stop.at) return {};
@@ -44,11 +44,11 @@ FreeEnd3 first_hit(const Scene3& scene, const RationalPoint3& p, const Vector3& 
 }
 
 std::vector<SegmentLabel> maximal_segments(const Scene3& scene, const RationalLine3& line) {
-    return labels(ExactScene3(scene), line);
+    return labels(ExactTriangles(scene), line);
 }
 
 std::vector<SegmentLabel> maximal_segments(const Scene3& scene, const SurdLine3& line) {
-    return labels(ExactScene3(scene), line);
+    return labels(ExactTriangles(scene), line);
 }
 
 }  // namespace sightline::reference

@@ -2,15 +2,22 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <vector>
 
-#include "reference/picture3.hpp"
 #include "sightline/spatial/free_segment3.hpp"
+#include "spatial/sheet_crossing.hpp"
 
 namespace sightline::reference {
+
+using detail::contains;
+using detail::ExactTriangle;
+using detail::ExactTriangles;
+using detail::height;
+using detail::inward;
+using detail::LocalPicture;
+using detail::over;
 
 /// A line p + t d and everything that it meets: the law of free segments, word by word.
 ///
@@ -21,9 +28,9 @@ class LineCut3 {
 public:
     using Vector = BasicVector3<Number>;
 
-    LineCut3(const ExactScene3& exact, Vector p, Vector d, std::vector<Number> marks)
+    LineCut3(const ExactTriangles& exact, Vector p, Vector d, std::vector<Number> marks)
         : exact_(exact), p_(std::move(p)), d_(std::move(d)), parameters_(std::move(marks)) {
-        for (const ExactTriangle3& t : exact_.triangles()) meet(t);
+        for (const ExactTriangle& t : exact_.triangles()) meet(t);
         std::sort(parameters_.begin(), parameters_.end());
         parameters_.erase(std::unique(parameters_.begin(), parameters_.end()), parameters_.end());
         pieces_.resize(parameters_.size() + 1);
@@ -120,7 +127,7 @@ private:
 
     // ---- events ----------------------------------------------------------------------------------
 
-    void meet(const ExactTriangle3& t) {
+    void meet(const ExactTriangle& t) {
         const Number slope = dot(over<Number>(t.normal), d_);
         const Number start = height(t, p_);
         if (sign_of(slope) != Sign::zero) {
@@ -131,7 +138,7 @@ private:
         }
     }
 
-    void meet_in_plane(const ExactTriangle3& t) {
+    void meet_in_plane(const ExactTriangle& t) {
         std::optional<Number> low;
         std::optional<Number> high;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -161,10 +168,10 @@ private:
         if (pieces_[i]) return *pieces_[i];
         Piece result;
         const Vector x = inner_point(i);
-        for (const ExactTriangle3& t : exact_.triangles()) {
+        for (const ExactTriangle& t : exact_.triangles()) {
             if (t.is_sheet && contains(t, x)) result.is_on_sheet = true;
         }
-        const Picture3<Number> picture(exact_, x, false);
+        const LocalPicture<Number> picture(exact_, x, false);
         result.is_interior = picture.is_interior();
         std::set<BodyId> solids;
         for (const auto& cell : picture.cells())
@@ -177,7 +184,7 @@ private:
     [[nodiscard]] bool is_on_sheet(std::size_t parameter) const {
         const Vector x = point(parameters_[parameter]);
         return std::any_of(exact_.triangles().begin(), exact_.triangles().end(),
-                           [&](const ExactTriangle3& t) { return t.is_sheet && contains(t, x); });
+                           [&](const ExactTriangle& t) { return t.is_sheet && contains(t, x); });
     }
 
     // ---- what blocks -----------------------------------------------------------------------------
@@ -230,7 +237,7 @@ private:
         std::set<FaceSide> faces;
         const Vector x = point(parameters_[parameter]);
         const auto& solids = piece(blocked_piece).solids;
-        for (const ExactTriangle3& t : exact_.triangles()) {
+        for (const ExactTriangle& t : exact_.triangles()) {
             if (std::find(solids.begin(), solids.end(), t.body) != solids.end() && contains(t, x)) {
                 faces.insert({t.face, false});
             }
@@ -242,7 +249,7 @@ private:
                                        const Vector& direction) const {
         std::set<FaceSide> faces;
         const Vector x = point(parameters_[parameter]);
-        for (const ExactTriangle3& t : exact_.triangles()) {
+        for (const ExactTriangle& t : exact_.triangles()) {
             if (!sheets.contains(t.body) || !contains(t, x)) continue;
             const Sign with_normal = sign_of(dot(over<Number>(t.normal), direction));
             faces.insert({t.face, with_normal == Sign::positive});
@@ -250,112 +257,17 @@ private:
         return {faces.begin(), faces.end()};
     }
 
-    // ---- crossing --------------------------------------------------------------------------------
-
-    /// Union-find over the cells of the pictures along a run.
-    class Components {
-    public:
-        explicit Components(std::size_t n) : parent_(n) {
-            std::iota(parent_.begin(), parent_.end(), 0U);
-        }
-        void unite(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-        [[nodiscard]] std::size_t find(std::size_t a) const {
-            while (parent_[a] != a) a = parent_[a];
-            return a;
-        }
-
-    private:
-        std::vector<std::size_t> parent_;
-    };
-
-    /// The pictures at the parameters of a run, their cells numbered through.
-    struct Surroundings {
-        std::vector<Picture3<Number>> pictures;
-        std::vector<std::size_t> offsets;
-        std::size_t cell_count = 0;
-    };
-
-    [[nodiscard]] Surroundings surroundings(const Run& run) const {
-        Surroundings s;
-        for (std::size_t i = run.first; i <= run.last; ++i) {
-            s.pictures.emplace_back(exact_, point(parameters_[i]), true);
-            s.offsets.push_back(s.cell_count);
-            s.cell_count += s.pictures.back().cells().size();
-        }
-        return s;
-    }
-
-    // Joins cells through walls that are not in the given sheets, and along the pieces of the run.
-    [[nodiscard]] Components components(const Surroundings& s,
-                                        const std::set<BodyId>& sheets) const {
-        Components result(s.cell_count);
-        for (std::size_t k = 0; k < s.pictures.size(); ++k) {
-            const auto& cells = s.pictures[k].cells();
-            for (const auto& wall : s.pictures[k].walls()) {
-                const bool shut = std::any_of(wall.sheets.begin(), wall.sheets.end(),
-                                              [&](BodyId b) { return sheets.contains(b); });
-                const bool free =
-                    cells[wall.first].solids.empty() && cells[wall.second].solids.empty();
-                if (free && !shut) {
-                    result.unite(s.offsets[k] + wall.first, s.offsets[k] + wall.second);
-                }
-            }
-            if (k + 1 < s.pictures.size()) join_along(s, k, result);
-        }
-        return result;
-    }
-
-    void join_along(const Surroundings& s, std::size_t k, Components& result) const {
-        const auto& here = s.pictures[k];
-        const auto& next = s.pictures[k + 1];
-        std::vector<Vector> normals;
-        for (const auto* picture : {&here, &next}) {
-            for (const Vector& n : picture->normals()) {
-                if (sign_of(dot(n, d_)) == Sign::zero) normals.push_back(n);
-            }
-        }
-        for (const Vector& w : Picture3<Number>::sectors(normals, d_)) {
-            result.unite(s.offsets[k] + here.cell_towards(d_, w),
-                         s.offsets[k + 1] + next.cell_towards(-d_, w));
-        }
-    }
-
-    // Whether some free cell in which the segment comes is joined to one in which it leaves.
-    [[nodiscard]] bool may_pass(const Surroundings& s, const Components& components) const {
-        const auto& last = s.pictures.back();
-        for (const std::size_t i : s.pictures.front().cells_along(-d_)) {
-            if (!s.pictures.front().cells()[i].solids.empty()) continue;
-            for (const std::size_t j : last.cells_along(d_)) {
-                if (last.cells()[j].solids.empty() &&
-                    components.find(i) == components.find(s.offsets.back() + j)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
     // The sheets that the segment crosses at the run; none when it does not cross W.
     [[nodiscard]] std::set<BodyId> crossed_sheets(const Run& run) const {
-        const Surroundings s = surroundings(run);
-        std::set<BodyId> all;
-        for (const auto& picture : s.pictures) {
-            for (const auto& wall : picture.walls()) {
-                all.insert(wall.sheets.begin(), wall.sheets.end());
-            }
-        }
-        if (may_pass(s, components(s, all)) || !may_pass(s, components(s, {}))) return {};
-        std::set<BodyId> alone;
-        for (const BodyId b : all) {
-            if (!may_pass(s, components(s, {b}))) alone.insert(b);
-        }
-        return alone.empty() ? all : alone;
+        std::vector<Vector> points;
+        for (std::size_t i = run.first; i <= run.last; ++i) points.push_back(point(parameters_[i]));
+        return detail::SheetCrossing<Number>(exact_, points, d_).crossed();
     }
 
     // ---- support ---------------------------------------------------------------------------------
 
     [[nodiscard]] Vector vertex(VertexId v) const {
-        return over<Number>(ExactScene3::vector_to(exact_.scene()[v]));
+        return over<Number>(ExactTriangles::vector_to(exact_.scene()[v]));
     }
     [[nodiscard]] std::optional<Number> parameter_of(const Vector& x) const {
         if (!cross(x - p_, d_).is_zero()) return std::nullopt;
@@ -385,7 +297,7 @@ private:
         return determinant(a - p_, e, across) / size;
     }
 
-    const ExactScene3& exact_;
+    const ExactTriangles& exact_;
     Vector p_;
     Vector d_;
     std::vector<Number> parameters_;

@@ -15,6 +15,9 @@ LineCut::LineCut(const SceneForms& forms)
       face_stamp_(forms.scene().faces().size()) {
     side_stamp_.resize(forms.line_count());
     side_sign_.resize(forms.line_count());
+    for (const Body3& b : forms.scene().bodies()) {
+        has_sheets_ = has_sheets_ || b.kind == SurfaceKind::sheet;
+    }
 }
 
 void LineCut::cut(const Line& line, const KnownFeatures& known) {
@@ -255,6 +258,8 @@ BodyId LineCut::body_of(const Contact& c) const {
     return scene[FaceId{c.id}].body;
 }
 
+bool LineCut::is_sheet(BodyId b) const { return forms_->scene()[b].kind == SurfaceKind::sheet; }
+
 void LineCut::find_touches() {
     touches_.clear();
     for (const Contact& c : contacts_) {
@@ -287,6 +292,8 @@ void LineCut::find_blocked() {
         i = j;
     }
     seal();
+    if (has_sheets_) judge_joint_stays();
+    std::ranges::stable_sort(cuts_, {}, &SheetCut::first);
 }
 
 void LineCut::follow_solid(std::span<const Touch> touches) {
@@ -321,7 +328,7 @@ void LineCut::follow_sheet(std::span<const Touch> touches) {
         }
         if (t.after.where == Where::on) continue;
         const bool known = side != Where::open && t.after.where != Where::open;
-        if (known && side != t.after.where) cuts_.push_back({begin, t.place});
+        if (known && side != t.after.where) cuts_.push_back({t.body, begin, t.place});
         side = Where::open;
     }
 }
@@ -336,7 +343,7 @@ void LineCut::seal() {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Touch& t = touches_[i];
             if (t.place >= piece || t.after.where != LocalState::Where::on) continue;
-            if (!is_last_before(i, piece)) continue;
+            if (!is_last_before(i, piece) || is_sheet(t.body)) continue;
             along.push_back(t.after);
             body = t.body;
         }
@@ -348,7 +355,6 @@ void LineCut::seal() {
 
 void LineCut::find_runs() {
     runs_.clear();
-    std::ranges::sort(cuts_, {}, &SheetCut::first);
     Run run;
     bool is_open = false;
     const auto close = [&](std::uint32_t last) {
@@ -368,6 +374,7 @@ void LineCut::find_runs() {
             close(c.last);
             run.first = c.first;
             is_open = true;
+            break;  // several sheets may be cut together
         }
         if (!is_open) {
             run.first = piece == 0 ? Run::none : piece - 1;
@@ -456,9 +463,8 @@ SegmentEnd LineCut::end_at(std::uint32_t place, std::uint32_t piece, Heading tow
     SegmentEnd end;
     const auto add = [&](FaceId f) {
         if (f.is_none()) return;
-        const bool is_sheet = forms_->scene()[forms_->scene()[f].body].kind == SurfaceKind::sheet;
         bool back = false;
-        if (is_sheet) {
+        if (is_sheet(forms_->scene()[f].body)) {
             const Sign sign = line_->sign(
                 Predicate::line_form3,
                 [&]<typename N>(const PluckerOf<N>& l) { return dot(forms_->plane<N>(f).n, l.d); });
@@ -482,7 +488,7 @@ SegmentEnd LineCut::end_at(std::uint32_t place, std::uint32_t piece, Heading tow
     for (std::size_t i = 0; blocked_[piece] && i < touches_.size(); ++i) {
         const Touch& t = touches_[i];
         if (t.place < piece && is_last_before(i, piece) && t.after.where == LocalState::Where::on) {
-            if (forms_->scene()[t.body].kind == SurfaceKind::sheet) continue;
+            if (is_sheet(t.body)) continue;
             for (const FaceId f : t.after.faces) add(f);
         }
     }
@@ -499,10 +505,10 @@ bool LineCut::is_last_before(std::size_t i, std::uint32_t piece) const {
 }
 
 bool LineCut::stops(BodyId body, std::uint32_t place, std::uint32_t piece) const {
-    const bool is_sheet = forms_->scene()[body].kind == SurfaceKind::sheet;
-    const bool is_cut = std::ranges::any_of(
-        cuts_, [&](const SheetCut& c) { return c.first == place || c.last == place; });
-    if (is_sheet) return !blocked_[piece] && is_cut;
+    const bool is_cut = std::ranges::any_of(cuts_, [&](const SheetCut& c) {
+        return c.sheet == body && (piece == place ? c.first : c.last) == place;
+    });
+    if (is_sheet(body)) return !blocked_[piece] && is_cut;
     if (!blocked_[piece]) return false;
     return std::ranges::any_of(touches_, [&](const Touch& t) {
         if (t.body != body || t.place != place) return false;

@@ -4,12 +4,14 @@
 /// A line cut at every place where it touches the scene, and the maximal free segments on it. Private.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "sightline/spatial/free_segment3.hpp"
 #include "spatial/exact_line.hpp"
+#include "spatial/exact_triangles.hpp"
 #include "spatial/local_cone.hpp"
 #include "spatial/scene_forms.hpp"
 
@@ -122,10 +124,26 @@ private:
     std::vector<Touch> touches_;
     std::vector<bool> blocked_;    // piece i lies before place i
     std::vector<BodyId> blocker_;  // one body that blocks the piece
+    /// Places at which the line runs along sheets in between; a single one where it does not.
+    struct Stay {
+        std::uint32_t first, last;
+    };
+    [[nodiscard]] bool is_sheet(BodyId b) const;
+    void judge_joint_stays();
+    [[nodiscard]] bool is_on_sheet(std::uint32_t place) const;
+    [[nodiscard]] bool runs_along_sheet(std::uint32_t piece) const;
+    [[nodiscard]] bool is_joint(const Stay& stay) const;
+    void judge(const Stay& stay);
+    template <typename Number>
+    [[nodiscard]] std::vector<BodyId> crossed_sheets(const Stay& stay) const;
+
     struct SheetCut {
+        BodyId sheet;
         std::uint32_t first, last;  // the places where a crossed stay on a sheet begins and ends
     };
-    std::vector<SheetCut> cuts_;
+    std::vector<SheetCut> cuts_;                                     // by first place
+    mutable std::shared_ptr<const ExactTriangles> exact_triangles_;  // made when first needed
+    bool has_sheets_ = false;
     std::vector<Run> runs_;
 
     std::uint32_t stamp_ = 0;

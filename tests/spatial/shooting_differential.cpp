@@ -89,7 +89,7 @@ Compared compare(const Scene3& scene, std::uint64_t seed, int pairs, const std::
 
 TEST(SegmentShooter, AgreesWithTheReferenceOnRandomScenes) {
     Compared sum;
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const Scene3 scene = testing::scene3(testing::random_scene3(seed));
         const Compared c = compare(scene, seed, 12, "random scene");
         sum.free += c.free;
@@ -97,9 +97,9 @@ TEST(SegmentShooter, AgreesWithTheReferenceOnRandomScenes) {
         sum.hits += c.hits;
         ASSERT_FALSE(HasFailure()) << testing::to_text(testing::random_scene3(seed));
     }
-    EXPECT_GT(sum.free, 250);
-    EXPECT_GT(sum.blocked, 250);
-    EXPECT_GT(sum.hits, 900);
+    EXPECT_GT(sum.free, 200);
+    EXPECT_GT(sum.blocked, 150);
+    EXPECT_GT(sum.hits, 600);
 }
 
 class EveryCorpusScene3 : public ::testing::TestWithParam<std::string> {};
@@ -121,6 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, EveryCorpusScene3, ::testing::ValuesIn([] {
 const std::map<std::string, std::string>& scenes_of_sheets() {
     static const std::map<std::string, std::string> scenes{
         {"square", "sheet 0 0 0, 4 0 0, 4 4 0, 0 4 0"},
+        {"on_a_box", "box 0 0 0, 4 4 4; sheet 1 2 4, 3 2 4, 3 2 6, 1 2 6"},
         {"between_boxes", "box 0 0 0, 4 4 2; box 0 0 4, 4 4 6; sheet 1 2 2, 3 2 2, 3 2 4, 1 2 4"},
         {"lid_on_a_box", "box 0 0 0, 4 4 2; sheet 0 0 2, 4 0 2, 4 4 2, 0 4 2"},
         {"larger_lid", "box 1 1 0, 3 3 2; sheet 0 0 2, 4 0 2, 4 4 2, 0 4 2"},
@@ -128,8 +129,17 @@ const std::map<std::string, std::string>& scenes_of_sheets() {
          "box 0 0 0, 2 2 2; box 0 0 2, 2 2 4; sheet 0 0 2, 2 0 2, 2 2 2, 0 2 2"},
         {"two_that_share_an_edge",
          "sheet 0 0 0, 4 0 0, 4 4 0, 0 4 0; sheet 0 0 0, 0 4 0, 0 4 4, 0 0 4"},
+        {"one_ends_on_another",
+         "sheet 0 0 0, 4 0 0, 4 4 0, 0 4 0; sheet 2 1 0, 2 3 0, 2 3 4, 2 1 4"},
+        {"in_a_room", "world; box 0 0 0, 8 8 8; sheet 0 4 0, 8 4 0, 8 4 8, 0 4 8"},
         {"screen_in_a_room", "world; box 0 0 0, 8 8 8; sheet 2 4 0, 6 4 0, 6 4 4, 2 4 4"},
         {"in_a_slit", "box 0 0 0, 4 4 4; box 4 4 0, 8 8 4; sheet 4 4 0, 4 4 4, 6 2 4, 6 2 0"},
+        {"three_pages",
+         "sheet 0 0 0, 4 0 0, 4 0 4, 0 0 4; sheet 0 0 0, 0 4 0, 0 4 4, 0 0 4; sheet 0 0 0, -4 0 0, "
+         "-4 0 4, 0 0 4"},
+        {"four_pages",
+         "sheet 0 0 0, 4 0 0, 4 0 4, 0 0 4; sheet 0 0 0, 0 4 0, 0 4 4, 0 0 4; sheet 0 0 0, -4 0 0, "
+         "-4 0 4, 0 0 4; sheet 0 0 0, 0 -4 0, 0 -4 4, 0 0 4"},
         {"at_a_corner", "box 0 0 0, 4 4 4; sheet 4 4 4, 8 4 4, 4 8 6"},
     };
     return scenes;
@@ -138,7 +148,7 @@ const std::map<std::string, std::string>& scenes_of_sheets() {
 class EverySceneOfSheets : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EverySceneOfSheets, ShootsLikeTheReference) {
-    compare(testing::scene3(scenes_of_sheets().at(GetParam())), 1, 40, GetParam());
+    compare(testing::scene3(scenes_of_sheets().at(GetParam())), 1, 20, GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(Sheets, EverySceneOfSheets, ::testing::ValuesIn([] {
@@ -163,9 +173,34 @@ Scene3 bent_sheet(bool is_u) {
     return testing::scene3(input);
 }
 
+Scene3 one_sheet(std::vector<Point3> vertices, std::vector<std::vector<std::uint32_t>> faces) {
+    MeshInput3 mesh;
+    mesh.vertices = std::move(vertices);
+    mesh.faces = std::move(faces);
+    mesh.kind = SurfaceKind::sheet;
+    SceneInput3 input;
+    input.meshes = {mesh};
+    return testing::scene3(input);
+}
+
+TEST(SegmentShooterDegenerate, PagesOfOneSheetAreSealedAtTheirBack) {
+    const std::vector<Point3> pages{{0, 0, 0}, {0, 0, 4},  {4, 0, 0},  {4, 0, 4},  {0, 4, 0},
+                                    {0, 4, 4}, {-4, 0, 0}, {-4, 0, 4}, {0, -4, 0}, {0, -4, 4}};
+    compare(one_sheet(pages, {{0, 2, 3, 1}, {0, 4, 5, 1}, {0, 6, 7, 1}}), 1, 40, "3 pages");
+    compare(one_sheet(pages, {{0, 2, 3, 1}, {0, 4, 5, 1}, {0, 6, 7, 1}, {0, 8, 9, 1}}), 1, 100,
+            "4 pages");
+}
+
+TEST(SegmentShooterDegenerate, TheTipOfAnOpenPyramidIsSealed) {
+    const std::vector<Point3> corners{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {2, 2, 3}};
+    compare(one_sheet(corners, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}), 1, 50, "pyramid");
+    compare(one_sheet(corners, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}}), 1, 50, "three sides of it");
+    compare(one_sheet(corners, {{0, 1, 4}, {2, 3, 4}}), 1, 50, "a bow tie of two");
+}
+
 TEST(SegmentShooterDegenerate, BentSheetsAreSealedAtTheirFolds) {
-    compare(bent_sheet(false), 1, 200, "Z");
-    compare(bent_sheet(true), 1, 200, "U");
+    compare(bent_sheet(false), 1, 100, "Z");
+    compare(bent_sheet(true), 1, 100, "U");
 }
 
 // No leak: rays aimed exactly at vertices, at points of edges and at points of diagonals of faces stay in

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// What there is round one point, exactly and by trying all planes. Private.
+
 #include <algorithm>
 #include <map>
 #include <vector>
 
-#include "reference/exact_scene3.hpp"
+#include "spatial/exact_triangles.hpp"
 
-namespace sightline::reference {
+namespace sightline::detail {
 
 /// The scene in a small enough ball round a point x: the cells into which the planes through x of all
 /// triangles cut it, and the solids that each of them is in. With `sheet_borders` also the planes
 /// through the edges of sheets' triangles at x, across them: then sheets consist of whole walls
 /// between cells.
 template <typename Number>
-class Picture3 {
+class LocalPicture {
 public:
     using Vector = BasicVector3<Number>;
     using Signs = std::vector<Sign>;
@@ -31,7 +33,8 @@ public:
         std::vector<BodyId> sheets;
     };
 
-    Picture3(const ExactScene3& exact, const Vector& x, bool sheet_borders) : exact_(exact), x_(x) {
+    LocalPicture(const ExactTriangles& exact, const Vector& x, bool sheet_borders)
+        : exact_(exact), x_(x) {
         find_planes(sheet_borders);
         find_cells();
         if (sheet_borders) find_walls();
@@ -109,7 +112,7 @@ private:
     }
 
     void find_planes(bool sheet_borders) {
-        for (const ExactTriangle3& t : exact_.triangles()) {
+        for (const ExactTriangle& t : exact_.triangles()) {
             if (sign_of(height(t, x_)) != Sign::zero) continue;
             add_plane(over<Number>(t.normal));
             if (!sheet_borders || !t.is_sheet || !contains(t, x_)) continue;
@@ -154,7 +157,7 @@ private:
         const Signs signs = signs_of(direction);
         if (!index_.emplace(signs, cells_.size()).second) return;
         Number step(1);
-        for (const ExactTriangle3& t : exact_.triangles()) {
+        for (const ExactTriangle& t : exact_.triangles()) {
             const Number at_x = height(t, x_);
             const Number change = dot(over<Number>(t.normal), direction);
             if (sign_of(at_x) * sign_of(change) == Sign::negative) shrink(step, at_x, change);
@@ -180,7 +183,7 @@ private:
         // A direction into the wall: where the step from one cell to the other passes its plane.
         const Vector c = dot(normal, d) * e - dot(normal, e) * d;
         std::vector<BodyId> sheets;
-        for (const ExactTriangle3& t : exact_.triangles()) {
+        for (const ExactTriangle& t : exact_.triangles()) {
             if (t.is_sheet && cross(over<Number>(t.normal), normal).is_zero() && contains(t, x_) &&
                 leads_into(t, x_, c)) {
                 sheets.push_back(t.body);
@@ -189,7 +192,7 @@ private:
         walls_.push_back({i, j, sheets});
     }
 
-    const ExactScene3& exact_;
+    const ExactTriangles& exact_;
     Vector x_;
     std::vector<Vector> normals_;
     std::vector<Cell> cells_;
@@ -197,4 +200,4 @@ private:
     std::map<Signs, std::size_t> index_;
 };
 
-}  // namespace sightline::reference
+}  // namespace sightline::detail

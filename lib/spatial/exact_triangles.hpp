@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// A scene in rational numbers, and the plain tests of points against it that everything else can be held to.
+/// Private.
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -8,9 +11,9 @@
 #include "sightline/geom/vector3.hpp"
 #include "sightline/scene/scene3.hpp"
 
-namespace sightline::reference {
+namespace sightline::detail {
 
-struct ExactTriangle3 {
+struct ExactTriangle {
     std::array<Vector3, 3> corners;
     Vector3 normal;   ///< to the front
     Rational offset;  ///< normal · x for the points of its plane
@@ -20,11 +23,11 @@ struct ExactTriangle3 {
 };
 
 /// A scene's triangles in rational numbers.
-class ExactScene3 {
+class ExactTriangles {
 public:
-    explicit ExactScene3(const Scene3& scene) : scene_(scene) {
+    explicit ExactTriangles(const Scene3& scene) : scene_(scene) {
         for (const Triangle3& t : scene.triangles()) {
-            ExactTriangle3 exact;
+            ExactTriangle exact;
             for (std::size_t i = 0; i < 3; ++i) {
                 exact.corners[i] = vector_to(scene[t.corners[i]]);
             }
@@ -39,7 +42,7 @@ public:
     }
 
     [[nodiscard]] const Scene3& scene() const noexcept { return scene_; }
-    [[nodiscard]] const std::vector<ExactTriangle3>& triangles() const noexcept {
+    [[nodiscard]] const std::vector<ExactTriangle>& triangles() const noexcept {
         return triangles_;
     }
     [[nodiscard]] static Vector3 vector_to(const Point3& p) {
@@ -48,7 +51,7 @@ public:
 
 private:
     const Scene3& scene_;
-    std::vector<ExactTriangle3> triangles_;
+    std::vector<ExactTriangle> triangles_;
 };
 
 /// The same vector over another number type.
@@ -59,14 +62,14 @@ template <typename Number>
 
 /// n·x - offset: zero on the triangle's plane, positive in front of it.
 template <typename Number>
-[[nodiscard]] Number height(const ExactTriangle3& t, const BasicVector3<Number>& x) {
+[[nodiscard]] Number height(const ExactTriangle& t, const BasicVector3<Number>& x) {
     return dot(over<Number>(t.normal), x) - Number(t.offset);
 }
 
 /// How far x, or a direction when `from_corner` is false, leads to the inner side of the edge that
 /// starts at corner i, times a positive number.
 template <typename Number>
-[[nodiscard]] Number inward(const ExactTriangle3& t, std::size_t i, const BasicVector3<Number>& x,
+[[nodiscard]] Number inward(const ExactTriangle& t, std::size_t i, const BasicVector3<Number>& x,
                             bool from_corner = true) {
     const Vector3 edge = t.corners[(i + 1) % 3] - t.corners[i];
     const auto along = over<Number>(cross(t.normal, edge));
@@ -75,7 +78,7 @@ template <typename Number>
 
 /// Whether x lies in the closed triangle.
 template <typename Number>
-[[nodiscard]] bool contains(const ExactTriangle3& t, const BasicVector3<Number>& x) {
+[[nodiscard]] bool contains(const ExactTriangle& t, const BasicVector3<Number>& x) {
     if (sign_of(height(t, x)) != Sign::zero) return false;
     for (std::size_t i = 0; i < 3; ++i) {
         if (sign_of(inward(t, i, x)) == Sign::negative) return false;
@@ -85,7 +88,7 @@ template <typename Number>
 
 /// Whether a short step from x, in the triangle, along a direction of its plane stays in it.
 template <typename Number>
-[[nodiscard]] bool leads_into(const ExactTriangle3& t, const BasicVector3<Number>& x,
+[[nodiscard]] bool leads_into(const ExactTriangle& t, const BasicVector3<Number>& x,
                               const BasicVector3<Number>& direction) {
     for (std::size_t i = 0; i < 3; ++i) {
         if (sign_of(inward(t, i, x)) == Sign::zero &&
@@ -99,8 +102,7 @@ template <typename Number>
 /// Whether the ray from y crosses the inside of the triangle; empty when it meets the border, or touches
 /// the plane only.
 template <typename Number>
-[[nodiscard]] std::optional<bool> ray_crosses(const ExactTriangle3& t,
-                                              const BasicVector3<Number>& y,
+[[nodiscard]] std::optional<bool> ray_crosses(const ExactTriangle& t, const BasicVector3<Number>& y,
                                               const BasicVector3<Number>& direction) {
     std::array<Sign, 3> sides;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -115,7 +117,7 @@ template <typename Number>
 
 /// The solids, the world's outside included, that contain y, which lies on no face; ascending.
 template <typename Number>
-[[nodiscard]] std::vector<BodyId> solids_containing(const ExactScene3& exact,
+[[nodiscard]] std::vector<BodyId> solids_containing(const ExactTriangles& exact,
                                                     const BasicVector3<Number>& y) {
     const auto bodies = exact.scene().bodies();
     // Almost every direction avoids all edges; one that does not is given up for the next.
@@ -124,7 +126,7 @@ template <typename Number>
                                              Number(attempt * attempt + 11)};
         std::vector<bool> odd(bodies.size());
         bool decided = true;
-        for (const ExactTriangle3& t : exact.triangles()) {
+        for (const ExactTriangle& t : exact.triangles()) {
             if (t.is_sheet) continue;
             const auto crosses = ray_crosses(t, y, direction);
             decided = crosses.has_value();
@@ -142,4 +144,4 @@ template <typename Number>
     }
 }
 
-}  // namespace sightline::reference
+}  // namespace sightline::detail

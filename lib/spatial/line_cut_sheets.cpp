@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a line meets more of sheets than one body's state before and after can tell.
+#include <algorithm>
+#include <cmath>
+
+#include "sightline/geom/plucker.hpp"
+#include "spatial/line_cut.hpp"
+#include "spatial/sheet_crossing.hpp"
+
+namespace sightline::detail {
+namespace {
+
+Rational rational_of(const Integer& x) { return *Rational::parse(x.get_str()); }
+
+/// 2^exponent, also where that is no double.
+Rational power_of_two(int exponent) {
+    const int half = exponent / 2;
+    return Rational(std::ldexp(1.0, half)) * Rational(std::ldexp(1.0, exponent - half));
+}
+
+template <typename Number>
+Number number_of(const ExactLine& line, const Integer& a, const Integer& b) {
+    if constexpr (std::is_same_v<Number, Rational>) {
+        return rational_of(a);
+    } else {
+        return Surd(rational_of(a), rational_of(b), rational_of(line.c));
+    }
+}
+
+template <typename Number>
+BasicLine3<Number> line_over(const ExactLine& line) {
+    const auto vector = [&](const Vec3<Integer>& a, const Vec3<Integer>& b) {
+        return BasicVector3<Number>{number_of<Number>(line, a[0], b[0]),
+                                    number_of<Number>(line, a[1], b[1]),
+                                    number_of<Number>(line, a[2], b[2])};
+    };
+    return {vector(line.a.d, line.b.d), vector(line.a.m, line.b.m)};
+}
+
+}  // namespace
+
+bool LineCut::is_on_sheet(std::uint32_t place) const {
+    return std::ranges::any_of(
+        touches_, [&](const Touch& t) { return t.place == place && is_sheet(t.body); });
+}
+
+bool LineCut::runs_along_sheet(std::uint32_t piece) const {
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+        const Touch& t = touches_[i];
+        if (is_sheet(t.body) && t.place < piece && t.after.where == LocalState::Where::on &&
+            is_last_before(i, piece)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void LineCut::judge_joint_stays() {
+    for (std::uint32_t place = 0; place < place_count_; ++place) {
+        if (!is_on_sheet(place)) continue;
+        Stay stay{place, place};
+        while (stay.last + 1 < place_count_ && !blocked_[stay.last + 1] &&
+               runs_along_sheet(stay.last + 1)) {
+            ++stay.last;
+        }
+        if (is_joint(stay)) judge(stay);
+        place = stay.last;
+    }
+}
+
+// Whether more than one body, or more than one feature of a sheet at one place, takes part.
+bool LineCut::is_joint(const Stay& stay) const {
+    BodyId only;
+    std::vector<std::uint32_t> met(stay.last - stay.first + 1);
+    for (std::size_t i = 0; i < touches_.size(); ++i) {
+        const Touch& t = touches_[i];
+        if (stay.first <= t.place && t.place <= stay.last) {
+            if (!is_sheet(t.body) || (!only.is_none() && t.body != only)) return true;
+            if (++met[t.place - stay.first] > 1) return true;
+            only = t.body;
+        } else if (t.place < stay.first && t.after.where == LocalState::Where::on &&
+                   !is_sheet(t.body) && is_last_before(i, stay.first)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void LineCut::judge(const Stay& stay) {
+    std::erase_if(cuts_,
+                  [&](const SheetCut& c) { return stay.first <= c.first && c.last <= stay.last; });
+    // A stay at which the line begins or ends to be free does not block.
+    if (blocked_[stay.first] || blocked_[stay.last + 1]) return;
+    const auto crossed =
+        line_->exact().is_rational() ? crossed_sheets<Rational>(stay) : crossed_sheets<Surd>(stay);
+    for (const BodyId b : crossed) cuts_.push_back({b, stay.first, stay.last});
+}
+
+template <typename Number>
+std::vector<BodyId> LineCut::crossed_sheets(const Stay& stay) const {
+    using Vector = BasicVector3<Number>;
+    const Scene3& scene = forms_->scene();
+    if (!exact_triangles_) exact_triangles_ = std::make_shared<const ExactTriangles>(scene);
+    const BasicLine3<Number> line = line_over<Number>(line_->exact());
+    const Number scale(power_of_two(forms_->scale_exponent()));
+    const Vector& d = line.d;
+    const Vector p = (Number(1) / (scale * dot(d, d))) * cross(d, line.m);
+    const auto vertex = [&](VertexId v) {
+        return over<Number>(ExactTriangles::vector_to(scene[v]));
+    };
+    std::vector<Vector> points(stay.last - stay.first + 1);
+    for (const Contact& c : contacts_) {
+        if (c.place < stay.first || c.place > stay.last) continue;
+        Vector& x = points[c.place - stay.first];
+        if (c.feature == Feature::vertex) {
+            x = vertex(VertexId{c.id});
+        } else if (c.feature == Feature::face) {
+            const Face3& face = scene[FaceId{c.id}];
+            const Vector a = vertex(face.plane[0]);
+            const Vector n = cross(vertex(face.plane[1]) - a, vertex(face.plane[2]) - a);
+            x = p + (dot(n, a - p) / dot(n, d)) * d;
+        } else {
+            const Edge3& edge = scene[EdgeId{c.id}];
+            const Vector a = vertex(edge.source);
+            const Vector e = vertex(edge.target) - a;
+            const Vector across = cross(d, e);
+            x = p + (determinant(a - p, e, across) / dot(across, across)) * d;
+        }
+    }
+    const auto crossed = SheetCrossing<Number>(*exact_triangles_, points, d).crossed();
+    return {crossed.begin(), crossed.end()};
+}
+
+}  // namespace sightline::detail
