@@ -76,34 +76,24 @@ bool lies_in(const ExactLine& line, const Plane& plane) {
            dot(to_surd(plane.normal), line.base) == plane.offset;
 }
 
-// A face in whose plane the line lies, with what the segment touches of it.
-struct PlaneOfFace {
-    FaceId face;
-    std::size_t vertices = 0;
-    std::size_t features = 0;
-};
-
-std::vector<PlaneOfFace> faces_in_plane(const ExactScene& scene, const Cell& cell,
-                                        const ExactLine& line) {
-    std::vector<PlaneOfFace> result;
+// The faces of which the segment touches a vertex or two edges. The plane of one between whose body and another
+// the line ends counts as an edge.
+std::vector<FaceId> touched_faces(const ExactScene& scene, const Cell& cell) {
+    std::vector<FaceId> result;
     const Support& support = cell.label.support;
     for (std::uint32_t i = 0; i < scene.planes.size(); ++i) {
-        PlaneOfFace face{FaceId{i}};
-        for (const auto& ring : scene.scene[face.face].rings) {
-            for (const VertexId v : ring) {
-                if (std::ranges::binary_search(support.vertices, v)) ++face.vertices;
-            }
-        }
-        face.features = face.vertices;
-        for (const auto* edges : {&support.edges, &support.along}) {
-            face.features += std::ranges::count_if(*edges, [&](EdgeId e) {
-                return std::ranges::count(scene.scene[e].faces, face.face) > 0;
+        const FaceId face{i};
+        const bool has_vertex = std::ranges::any_of(scene.scene[face].rings, [&](const auto& ring) {
+            return std::ranges::any_of(
+                ring, [&](VertexId v) { return std::ranges::binary_search(support.vertices, v); });
+        });
+        auto edges = std::ranges::count(cell.contact, face);
+        for (const auto* some : {&support.edges, &support.along}) {
+            edges += std::ranges::count_if(*some, [&](EdgeId e) {
+                return std::ranges::count(scene.scene[e].faces, face) > 0;
             });
         }
-        if (std::ranges::count(cell.contact, face.face) > 0) ++face.features;
-        if (face.features > 1 || face.vertices > 0) {
-            if (lies_in(line, scene.planes[i])) result.push_back(face);
-        }
+        if (has_vertex || edges > 1) result.push_back(face);
     }
     return result;
 }
@@ -127,16 +117,20 @@ Freedom freedom(const ExactScene& scene, const Cell& cell) {
 NodeType node_type(const ExactScene& scene, const Cell& cell, const ExactLine& line) {
     const Conditions given = conditions(scene, cell);
     if (given.points.size() > 1) return NodeType::vv;
-    const auto faces = faces_in_plane(scene, cell, line);
-    if (given.points.size() == 1) return faces.empty() ? NodeType::vee : NodeType::fve;
-    std::set<Plane> planes;
-    for (const auto& f : faces) planes.insert(scene.planes[f.face.index()]);
+    std::set<Plane> planes;  // coplanar faces fix no more than one of them
+    for (const FaceId f : touched_faces(scene, cell)) {
+        if (lies_in(line, scene.planes[f.index()])) planes.insert(scene.planes[f.index()]);
+    }
+    if (given.points.size() == 1) return planes.empty() ? NodeType::vee : NodeType::fve;
     if (planes.empty()) return NodeType::eeee;
     return planes.size() > 1 ? NodeType::ff : NodeType::fee;
 }
 
-ArcType arc_type(const ExactScene& scene, const Cell& cell, const ExactLine& line) {
-    const bool in_face = !faces_in_plane(scene, cell, line).empty();
+ArcType arc_type(const ExactScene& scene, const Cell& cell, const Freedom& freedom) {
+    if (!freedom.pencil) return ArcType::eee;
+    const auto faces = touched_faces(scene, cell);
+    const bool in_face = std::ranges::any_of(
+        faces, [&](FaceId f) { return scene.planes[f.index()] == freedom.pencil->plane; });
     if (conditions(scene, cell).points.empty()) return in_face ? ArcType::fe : ArcType::eee;
     return in_face ? ArcType::fv : ArcType::ev;
 }

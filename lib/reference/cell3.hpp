@@ -46,7 +46,7 @@ struct Freedom {
 [[nodiscard]] Freedom freedom(const ExactScene& scene, const Cell& cell);
 
 [[nodiscard]] NodeType node_type(const ExactScene& scene, const Cell& cell, const ExactLine& line);
-[[nodiscard]] ArcType arc_type(const ExactScene& scene, const Cell& cell, const ExactLine& line);
+[[nodiscard]] ArcType arc_type(const ExactScene& scene, const Cell& cell, const Freedom& freedom);
 
 /// Which of the two common transversals of the cell's edges the line is, when there are two.
 [[nodiscard]] Root root_of(const ExactScene& scene, const Cell& cell, const ExactLine& line);

@@ -214,7 +214,7 @@ void Builder::cut_at_corners() {
         std::ranges::sort(ends, {}, &End::at);
         const auto same = [](const End& a, const End& b) { return a.at == b.at; };
         ends.erase(std::unique(ends.begin(), ends.end(), same), ends.end());
-        const ArcType type = arc_type(scene_, arc.found.cell, arc.found.line);
+        const ArcType type = arc_type(scene_, arc.found.cell, arc.found.freedom);
         for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
             arcs_.push_back({type, arc.found.cell.label, {ends[i].node, ends[i + 1].node}});
         }

@@ -46,10 +46,15 @@ struct FreeSegment3 {
 ///
 /// Degeneracy rules beyond those of VisibilitySkeleton
 ///  (1) Where the line, behind an end, runs between solids in contact, it must do so for the ends to stay equal:
-///      the planes of those faces are conditions of the cell, too.
+///      the planes of those faces are conditions of the cell, too. So lines in the plane of a contact that end at
+///      its border are told from those that enter one of the bodies there.
 ///  (2) An edge that the segment runs along without reaching both its vertices fixes the line.
-///  (3) A face between whose plane and another body the line ends as in (1) has one more feature in the
-///      support when the type of a node or arc is decided; and coplanar faces count as one.
+///  (3) An arc may end in a segment that by its own support has one degree of freedom: lines in the plane of a face
+///      that meet two of its edges and another edge e, up to the one through the vertex v that the two share, which
+///      like its neighbours round v touches v and e only. That segment is a node (FvE), and cuts the arc of its
+///      neighbours in two; both, like the node, have the same label.
+///  (4) For the type of a node or arc, a face between whose plane and another body the line ends as in (1) has one
+///      edge more in the support, and faces in one plane count as one.
 ///
 /// Cost: O(n³) families of O(n) lines, O(n) exact predicates each.
 [[nodiscard]] VisibilitySkeleton visibility_skeleton(const Scene3& scene);
