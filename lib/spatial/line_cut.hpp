@@ -64,6 +64,9 @@ public:
     [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
     [[nodiscard]] std::uint32_t place_count() const { return place_count_; }
     [[nodiscard]] std::span<const Run> runs() const { return runs_; }
+    /// The coordinate that contacts' positions are, and the sign of the direction's.
+    [[nodiscard]] int axis() const { return axis_; }
+    [[nodiscard]] Sign axis_sign() const { return axis_sign_; }
     /// The place where the line meets an edge (anywhere on it, ends included) or a vertex; none when
     /// it does not, or runs along the edge.
     [[nodiscard]] std::uint32_t place_of(EdgeId e) const;

@@ -77,8 +77,10 @@ public:
           cut_(shot.cut_),
           p_(p),
           d_(q - p),
+          real_p_(real_of(p)),
+          real_q_(real_of(q)),
           source_(p, q, shot.forms_->scale_exponent()),
-          line_(line_through(real_of(p), real_of(q)), source_, policy) {
+          line_(line_through(real_p_, real_q_), source_, policy) {
         cut_.cut(line_);
         contacts_.resize(cut_.place_count());
         for (const Contact& c : cut_.contacts()) contacts_[c.place] = &c;
@@ -90,20 +92,15 @@ public:
     [[nodiscard]] std::uint32_t place_count() const {
         return static_cast<std::uint32_t>(contacts_.size());
     }
-    /// How many places have a parameter below t, or at t if `closed`.
-    [[nodiscard]] std::uint32_t places_before(const Rational& t, bool closed) const {
-        std::uint32_t low = 0;
-        std::uint32_t high = place_count();
-        while (low < high) {
-            const std::uint32_t middle = low + (high - low) / 2;
-            const Rational at = parameter(middle);
-            if (at < t || (closed && at == t)) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
+    /// How many places lie before p (or q), or at it if `closed`.
+    [[nodiscard]] std::uint32_t places_before_p(bool closed) const {
+        return places_before(real_p_, Rational(0), closed);
+    }
+    [[nodiscard]] std::uint32_t places_before_q(bool closed) const {
+        return places_before(real_q_, Rational(1), closed);
+    }
+    [[nodiscard]] bool is_at_p(std::uint32_t place) const {
+        return order(place, real_p_, Rational(0)) == Sign::zero;
     }
     [[nodiscard]] Rational parameter(std::uint32_t place) const {
         const Contact& c = *contacts_[place];
@@ -125,12 +122,37 @@ public:
     }
 
 private:
+    // The sign of a place's parameter minus t, the parameter of `end`.
+    [[nodiscard]] Sign order(std::uint32_t place, const Vec3<Real>& end, const Rational& t) const {
+        const auto axis = static_cast<std::size_t>(cut_.axis());
+        if (const auto sign = (contacts_[place]->position - end[axis]).sign()) {
+            return *sign * cut_.axis_sign();
+        }
+        return (parameter(place) - t).sign();
+    }
+    [[nodiscard]] std::uint32_t places_before(const Vec3<Real>& end, const Rational& t,
+                                              bool closed) const {
+        std::uint32_t low = 0;
+        std::uint32_t high = place_count();
+        while (low < high) {
+            const std::uint32_t middle = low + (high - low) / 2;
+            const Sign sign = order(middle, end, t);
+            if (sign == Sign::negative || (closed && sign == Sign::zero)) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
     [[nodiscard]] Vector3 vertex(VertexId v) const { return vector_to(to_rational(scene_[v])); }
 
     const Scene3& scene_;
     LineCut& cut_;
     const RationalPoint3& p_;
     Vector3 d_;
+    Vec3<Real> real_p_;
+    Vec3<Real> real_q_;
     TwoPoints source_;
     Line line_;
     std::vector<const Contact*> contacts_;
@@ -139,8 +161,8 @@ private:
 bool LineShot::is_free(const RationalPoint3& p, const RationalPoint3& q, const Policy& policy) {
     const Cutter cutter(*this, p, q, policy);
     if (cutter.place_count() == 0) return !has_world_;
-    const std::uint32_t up_to_p = cutter.places_before(Rational(0), true);
-    const std::uint32_t before_q = cutter.places_before(Rational(1), false);
+    const std::uint32_t up_to_p = cutter.places_before_p(true);
+    const std::uint32_t before_q = cutter.places_before_q(false);
     for (const Run& run : cut_.runs()) {
         const bool from_p = run.first == Run::none || run.first < up_to_p;
         const bool to_q = run.last == Run::none || run.last >= before_q;
@@ -149,10 +171,11 @@ bool LineShot::is_free(const RationalPoint3& p, const RationalPoint3& q, const P
     return false;
 }
 
-FreeEnd3 LineShot::first_hit(const RationalPoint3& p, const Vector3& d, const Policy& policy) {
+FreeEnd3 LineShot::first_hit(const RationalPoint3& p, const Vector3& d, bool wants_point,
+                             const Policy& policy) {
     const RationalPoint3 q = p + d;
     const Cutter cutter(*this, p, q, policy);
-    const std::uint32_t up_to_p = cutter.places_before(Rational(0), true);
+    const std::uint32_t up_to_p = cutter.places_before_p(true);
     // Runs overlap on sheets; from there one may leave on either side: the last run goes farthest.
     const Run* farthest = nullptr;
     for (const Run& run : cut_.runs()) {
@@ -163,7 +186,7 @@ FreeEnd3 LineShot::first_hit(const RationalPoint3& p, const Vector3& d, const Po
     if (farthest != nullptr) {
         last = farthest->last;
     } else {
-        const bool is_place = up_to_p > 0 && cutter.parameter(up_to_p - 1) == Rational(0);
+        const bool is_place = up_to_p > 0 && cutter.is_at_p(up_to_p - 1);
         if (!is_place) {
             // In the interior of B, unless signs are wrong.
             SIGHTLINE_EXPECT(policy.arithmetic == Arithmetic::double_ ||
@@ -173,7 +196,9 @@ FreeEnd3 LineShot::first_hit(const RationalPoint3& p, const Vector3& d, const Po
         last = up_to_p - 1;
     }
     if (last == Run::none) return {};
-    return {p + cutter.parameter(last) * d, cut_.end_at(last, last + 1, Heading::forward)};
+    FreeEnd3 end{std::nullopt, cut_.end_at(last, last + 1, Heading::forward)};
+    if (wants_point) end.point = p + cutter.parameter(last) * d;
+    return end;
 }
 
 }  // namespace sightline::detail

@@ -16,8 +16,8 @@ public:
     /// Whether the segment pq is free; p ≠ q.
     [[nodiscard]] bool is_free(const RationalPoint3& p, const RationalPoint3& q,
                                const Policy& policy);
-    /// Where the free segment from p along d ends.
-    [[nodiscard]] FreeEnd3 first_hit(const RationalPoint3& p, const Vector3& d,
+    /// Where the free segment from p along d ends; without the point unless it is wanted.
+    [[nodiscard]] FreeEnd3 first_hit(const RationalPoint3& p, const Vector3& d, bool wants_point,
                                      const Policy& policy);
 
 private:

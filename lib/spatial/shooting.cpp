@@ -114,7 +114,7 @@ public:
     SegmentEnd first_faces(const Point3& p, const Point3& towards) {
         const auto cut = [&] {
             const RationalPoint3 from = to_rational(p);
-            return cut_first_hit(from, to_rational(towards) - from).faces;
+            return cut_first_hit(from, to_rational(towards) - from, false).faces;
         };
         ++counts_.shots;
         if (!uses_filter(p, towards)) return cut();
@@ -145,9 +145,9 @@ private:
         ++counts_.cut_lines;
         return lines_.is_free(p, q, policy_);
     }
-    FreeEnd3 cut_first_hit(const RationalPoint3& p, const Vector3& d) {
+    FreeEnd3 cut_first_hit(const RationalPoint3& p, const Vector3& d, bool wants_point = true) {
         ++counts_.cut_lines;
-        return lines_.first_hit(p, d, policy_);
+        return lines_.first_hit(p, d, wants_point, policy_);
     }
 
     [[nodiscard]] const Point3& corner(std::uint32_t triangle, std::size_t k) const {
