@@ -212,16 +212,16 @@ std::optional<EventForm> Curve::vertex_form(VertexId v, EdgeId of) const {
     if (kind_ == CurveKind::regulus) {
         // v is on one line of the opposite ruling; with another one it spans a plane that the base
         // crosses where the family passes v.
-        EventForm form{EventForm::Kind::vertex_plane, 0, v, 0};
+        EventForm form{EventForm::Kind::vertex_plane, 0, 0, v, 0};
         form.line = (of == edges_[1] ? edges_[2] : edges_[1]).value;
         if (of == base()) return std::nullopt;  // t is 0 or 1 there
         return form;
     }
     if (!is_in_plane(v)) return std::nullopt;
-    EventForm best{EventForm::Kind::vertex_axis, 0, v, 0};
+    EventForm best{EventForm::Kind::vertex_axis, 0, 0, v, 0};
     double size = -1;
     for (int axis = 0; axis < 3; ++axis) {
-        const EventForm form{EventForm::Kind::vertex_axis, 0, v, axis};
+        const EventForm form{EventForm::Kind::vertex_axis, 0, 0, v, axis};
         const Quadratic<Real> q = evaluate<Real>(form);
         if (std::abs(q.q1.value()) <= size && size >= 0) continue;
         if (vanishes(q, form)) continue;

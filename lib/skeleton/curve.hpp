@@ -27,10 +27,12 @@ struct EventForm {
         line,          ///< side of line(t) to a line of the scene's forms
         vertex_axis,   ///< a component of the normal from a vertex: of degree 1 on a pencil
         vertex_plane,  ///< whether the base point lies in the plane of a vertex and a line
+        edge_plane,    ///< whether the direction is parallel to two lines' plane
     };
     Kind kind = Kind::line;
-    std::uint32_t line = 0;  ///< of line, vertex_plane
-    VertexId vertex;         ///< of vertex_axis, vertex_plane
+    std::uint32_t line = 0;   ///< of line, vertex_plane, edge_plane
+    std::uint32_t other = 0;  ///< the second line of edge_plane
+    VertexId vertex;  ///< of vertex_axis, vertex_plane
     int axis = 0;
 };
 
@@ -116,6 +118,11 @@ Quadratic<N> Curve::evaluate(const EventForm& form) const {
     if (form.kind == EventForm::Kind::line) {
         const PluckerOf<N>& g = forms_->line<N>(form.line);
         return {side(l[0], g), side(l[1], g), side(l[2], g)};
+    }
+    if (form.kind == EventForm::Kind::edge_plane) {
+        const Vec3<N> n =
+            cross(forms_->line<N>(form.line).d, forms_->line<N>(form.other).d);
+        return {dot(n, l[0].d), dot(n, l[1].d), dot(n, l[2].d)};
     }
     const Vec3<N>& v = forms_->point<N>(form.vertex);
     if (form.kind == EventForm::Kind::vertex_axis) {

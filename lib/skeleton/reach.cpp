@@ -25,7 +25,7 @@ void ReachSearch::search_edges(std::span<const EdgeId> edges) {
 
 bool ReachSearch::consider_edge(EdgeId e, bool everywhere) {
     const bool is_generator = std::ranges::find(curve_.edges(), e) != curve_.edges().end();
-    const EventForm form{EventForm::Kind::line, e.value, VertexId::none(), 0};
+    const EventForm form{EventForm::Kind::line, e.value, 0, VertexId::none(), 0};
     if (is_generator) return false;  // their ends are the interval's
     const Quadratic<Real> q = curve_.evaluate<Real>(form);
     if (surely_outside(q)) return false;

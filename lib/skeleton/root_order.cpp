@@ -101,7 +101,7 @@ Root root_of(const Curve& curve, const Parameter& t, const Line& line, const Ske
         }
     }
     for (const EdgeId e : edges) {
-        const EventForm form{EventForm::Kind::line, e.value, VertexId::none(), 0};
+        const EventForm form{EventForm::Kind::line, e.value, 0, VertexId::none(), 0};
         if (!other) {
             const Quadratic<Integer> q = curve.evaluate<Integer>(form);
             if (sgn(q.q0) == 0 && sgn(q.q1) == 0 && sgn(q.q2) == 0) continue;

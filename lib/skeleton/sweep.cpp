@@ -124,7 +124,7 @@ void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Param
         const auto right =
             node_at(curve, reach.right, reach.right_is_event ? &state.label : nullptr);
         if (left && right) {
-            output_.add_arc({state.type, state.label, {NodeId{*left}, NodeId{*right}}});
+            add_arcs(curve, state, reach, *left, *right);
             return;
         }
         if (!left && reach.left_is_event) dismissed.push_back(reach.left_event);
@@ -134,6 +134,102 @@ void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Param
         search.search_segment(state.stopping, dismissed);
         reach = search.reach();
     }
+}
+
+void Sweep::add_arcs(const Curve& curve, const State& state, const Reach& reach,
+                     std::uint32_t left, std::uint32_t right) {
+    std::uint32_t begin = left;
+    const auto add = [&](std::uint32_t end) {
+        output_.add_arc({state.type, state.label, {NodeId{begin}, NodeId{end}}});
+        begin = end;
+    };
+    if (curve.kind() == CurveKind::vertex_pencil) {
+        for (const std::uint32_t node : dividing_nodes(curve, state, reach)) add(node);
+    }
+    add(right);
+}
+
+std::vector<EdgeId> Sweep::edges_round(VertexId v) const {
+    const auto own = forms_.scene().edges_at(v);
+    std::vector<EdgeId> edges(own.begin(), own.end());
+    for (const VertexId other : forms_.vertices_at(forms_.place(v))) {
+        if (other == v) continue;
+        const auto more = forms_.scene().edges_at(other);
+        edges.insert(edges.end(), more.begin(), more.end());
+    }
+    return edges;
+}
+
+std::vector<std::uint32_t> Sweep::dividing_nodes(const Curve& curve, const State& state,
+                                                 const Reach& reach) {
+    struct Candidate {
+        Parameter t;
+        EdgeId a, b;
+    };
+    std::vector<Candidate> candidates;
+    const std::vector<EdgeId> edges = edges_round(curve.vertex());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const EventForm form{EventForm::Kind::edge_plane, edges[i].value, edges[j].value,
+                                 VertexId::none(), 0};
+            const Quadratic<Real> q = curve.evaluate<Real>(form);
+            if (curve.vanishes(q, form)) continue;
+            for (Parameter& t : roots(curve, form, q)) {
+                if (compare(policy_, reach.left, t) != Sign::negative) continue;
+                if (compare(policy_, t, reach.right) != Sign::negative) continue;
+                candidates.push_back({std::move(t), edges[i], edges[j]});
+            }
+        }
+    }
+    std::ranges::stable_sort(candidates, [&](const Candidate& x, const Candidate& y) {
+        return compare(policy_, x.t, y.t) == Sign::negative;
+    });
+    std::vector<std::uint32_t> nodes;
+    for (const Candidate& c : candidates) {
+        const auto end = planar_end(curve, c.a, c.b);
+        if (!end || *end != node_at(curve, c.t, nullptr)) continue;
+        if (nodes.empty() || nodes.back() != *end) nodes.push_back(*end);
+    }
+    return nodes;
+}
+
+/// The node in which an arc of lines that cross edges a and b at the curve's vertex, and its edge, ends.
+std::optional<std::uint32_t> Sweep::planar_end(const Curve& curve, EdgeId a, EdgeId b) {
+    const auto planar = Curve::through_edges(forms_, policy_, {a, b, curve.base()});
+    if (!planar || planar->kind() != CurveKind::plane_pencil) return std::nullopt;
+    if (planar->edges()[2] != curve.base()) return std::nullopt;
+    const bool at_source =
+        forms_.place(forms_.scene()[planar->base()].source) == forms_.place(curve.vertex());
+    const Parameter end = Parameter::dyadic(at_source ? 0 : 1);
+    for (const Interval& interval : intervals(*planar)) {
+        const Parameter& near = at_source ? interval.first : interval.last;
+        if (compare(policy_, near, end) != Sign::zero) continue;
+        if (!is_free_next_to(*planar, interval, at_source)) return std::nullopt;
+        return node_at(*planar, end, nullptr);
+    }
+    return std::nullopt;
+}
+
+/// The state of the lines of an interval that are nearer to one of its ends than any event.
+bool Sweep::is_free_next_to(const Curve& curve, Interval interval, bool at_left) {
+    for (unsigned attempt = 0; attempt < 64; ++attempt) {
+        const Parameter t = between(interval.first, interval.last, attempt);
+        const State state = look(curve, t);
+        bool hit = false;
+        Reach reach;
+        if (state.is_free) {
+            ReachSearch search(curve, interval.first, interval.last, t);
+            search.search_segment(state.stopping, {});
+            hit = search.hit_sample();
+            reach = search.reach();
+        } else {
+            reach = blocked_reach(curve, interval, t, state, hit);
+        }
+        if (hit) continue;
+        if (!(at_left ? reach.left_is_event : reach.right_is_event)) return state.is_free;
+        (at_left ? interval.last : interval.first) = at_left ? reach.left : reach.right;
+    }
+    return false;
 }
 
 /// Between two blocked neighbours a single line may be free, where both stays end at once.

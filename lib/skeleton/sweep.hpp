@@ -61,6 +61,14 @@ private:
     [[nodiscard]] State look(const Curve& curve, const Parameter& t);
     void follow_arc(const Curve& curve, const Interval& interval, const Parameter& t,
                     const State& state, Reach& reach);
+    void add_arcs(const Curve& curve, const State& state, const Reach& reach, std::uint32_t left,
+                  std::uint32_t right);
+    /// Where planar arcs past v end on the arc (rule 3 of VisibilitySkeleton), from left to right.
+    [[nodiscard]] std::vector<std::uint32_t> dividing_nodes(const Curve& curve, const State& state,
+                                                            const Reach& reach);
+    [[nodiscard]] std::optional<std::uint32_t> planar_end(const Curve& curve, EdgeId a, EdgeId b);
+    [[nodiscard]] bool is_free_next_to(const Curve& curve, Interval interval, bool at_left);
+    [[nodiscard]] std::vector<EdgeId> edges_round(VertexId v) const;
     [[nodiscard]] Reach blocked_reach(const Curve& curve, const Interval& interval,
                                       const Parameter& t, const State& state, bool& hit) const;
     [[nodiscard]] std::optional<std::uint32_t> node_at(const Curve& curve, const Parameter& t,

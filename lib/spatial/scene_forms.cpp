@@ -161,7 +161,12 @@ void SceneForms::find_places() {
             places_.push_back(id);
             continue;
         }
-        places_.push_back(first.insert({(*scene_)[id], id}).first->second);
+        const VertexId place = first.insert({(*scene_)[id], id}).first->second;
+        places_.push_back(place);
+        if (place == id) continue;
+        auto& shared = shared_places_[place];
+        if (shared.empty()) shared.push_back(place);
+        shared.push_back(id);
     }
 }
 

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <span>
 #include <vector>
 
 #include "sightline/scene/scene3.hpp"
@@ -87,6 +89,12 @@ public:
     }
     /// A vertex's id stands for all feature vertices at its place: the least of them.
     [[nodiscard]] VertexId place(VertexId v) const { return places_[v.index()]; }
+    /// The feature vertices at a place, when there are several; else empty.
+    [[nodiscard]] std::span<const VertexId> vertices_at(VertexId place) const {
+        const auto found = shared_places_.find(place);
+        if (found == shared_places_.end()) return {};
+        return found->second;
+    }
     [[nodiscard]] const Bvh& triangles() const { return triangles_; }
     [[nodiscard]] const Bvh& edges() const { return edges_; }
     /// Exact coordinates are the input's times 2^scale_exponent.
@@ -115,6 +123,7 @@ private:
     std::vector<std::vector<EdgeId>> face_edges_;
     std::vector<std::vector<EdgeId>> body_edges_;
     std::vector<VertexId> places_;
+    std::map<VertexId, std::vector<VertexId>> shared_places_;
     Bvh triangles_;
     Bvh edges_;
 };
