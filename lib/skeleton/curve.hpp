@@ -32,7 +32,7 @@ struct EventForm {
     Kind kind = Kind::line;
     std::uint32_t line = 0;   ///< of line, vertex_plane, edge_plane
     std::uint32_t other = 0;  ///< the second line of edge_plane
-    VertexId vertex;  ///< of vertex_axis, vertex_plane
+    VertexId vertex;          ///< of vertex_axis, vertex_plane
     int axis = 0;
 };
 
@@ -120,8 +120,7 @@ Quadratic<N> Curve::evaluate(const EventForm& form) const {
         return {side(l[0], g), side(l[1], g), side(l[2], g)};
     }
     if (form.kind == EventForm::Kind::edge_plane) {
-        const Vec3<N> n =
-            cross(forms_->line<N>(form.line).d, forms_->line<N>(form.other).d);
+        const Vec3<N> n = cross(forms_->line<N>(form.line).d, forms_->line<N>(form.other).d);
         return {dot(n, l[0].d), dot(n, l[1].d), dot(n, l[2].d)};
     }
     const Vec3<N>& v = forms_->point<N>(form.vertex);

@@ -42,9 +42,8 @@ bool is_coplanar(const SceneForms& forms, FaceId a, FaceId b) {
     return zero(meet.d) && zero(meet.m);
 }
 
-/// Faces in whose plane the line lies, of which the support has a vertex or two edges; one of each plane.
-std::vector<FaceId> planes_of_faces(const SceneForms& forms, const Line& line,
-                                    const Support& support) {
+/// Faces of which the support has a vertex or two edges.
+std::vector<FaceId> touched_faces(const SceneForms& forms, const Support& support) {
     std::vector<std::pair<FaceId, int>> touched;
     const auto touch = [&](FaceId f, int weight) {
         if (f.is_none()) return;
@@ -63,18 +62,23 @@ std::vector<FaceId> planes_of_faces(const SceneForms& forms, const Line& line,
             for (const FaceId f : forms.scene()[e].faces) touch(f, 1);
         }
     }
-    std::vector<FaceId> planes;
+    std::vector<FaceId> faces;
     for (const auto& [f, weight] : touched) {
-        if (weight < 2) continue;
-        const Sign sign = line.sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
-            return dot(forms.plane<N>(f).n, l.d);
-        });
-        if (sign != Sign::zero) continue;
-        if (std::ranges::none_of(planes, [&](FaceId g) { return is_coplanar(forms, f, g); })) {
-            planes.push_back(f);
-        }
+        if (weight >= 2) faces.push_back(f);
     }
-    return planes;
+    std::ranges::sort(faces);
+    return faces;
+}
+
+std::size_t count_planes(const SceneForms& forms, const std::vector<FaceId>& faces) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const bool is_new =
+            std::none_of(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(i),
+                         [&](FaceId g) { return is_coplanar(forms, faces[i], g); });
+        if (is_new) ++count;
+    }
+    return count;
 }
 
 }  // namespace
@@ -83,7 +87,14 @@ FoundNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& 
                         const Line& line, SegmentLabel&& label) {
     FoundNode found;
     const std::size_t fixed = fixed_places(forms, cut, run).size();
-    const std::size_t planes = planes_of_faces(forms, line, label.support).size();
+    std::vector<FaceId> faces;
+    for (const FaceId f : touched_faces(forms, label.support)) {
+        const Sign sign = line.sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
+            return dot(forms.plane<N>(f).n, l.d);
+        });
+        if (sign == Sign::zero) faces.push_back(f);
+    }
+    const std::size_t planes = count_planes(forms, faces);
     found.node.type = fixed >= 2   ? NodeType::vv
                       : fixed == 1 ? (planes > 0 ? NodeType::fve : NodeType::vee)
                       : planes > 1 ? NodeType::ff
@@ -105,12 +116,22 @@ FoundNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& 
     return found;
 }
 
-ArcType arc_type(const SceneForms& forms, const LineCut& cut, const Run& run, const Line& line,
+ArcType arc_type(const Curve& curve, const LineCut& cut, const Run& run,
                  const SegmentLabel& label) {
-    const bool fixed = !fixed_places(forms, cut, run).empty();
-    const bool planar = !planes_of_faces(forms, line, label.support).empty();
-    if (fixed) return planar ? ArcType::fv : ArcType::ev;
-    return planar ? ArcType::fe : ArcType::eee;
+    if (curve.kind() == CurveKind::regulus) return ArcType::eee;
+    const SceneForms& forms = curve.forms();
+    const auto keeps_direction = [&](FaceId f, std::size_t i) {
+        const auto of = [&]<typename N>(const N&) {
+            return dot(forms.plane<N>(f).n, curve.coefficients<N>()[i].d);
+        };
+        return curve.policy().sign(Predicate::line_form3, of(Real{}),
+                                   [&] { return sign_of_integer(of(Integer{})); }) == Sign::zero;
+    };
+    const bool planar = std::ranges::any_of(touched_faces(forms, label.support), [&](FaceId f) {
+        return keeps_direction(f, 0) && keeps_direction(f, 1);
+    });
+    if (fixed_places(forms, cut, run).empty()) return planar ? ArcType::fe : ArcType::eee;
+    return planar ? ArcType::fv : ArcType::ev;
 }
 
 namespace {

@@ -136,8 +136,8 @@ void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Param
     }
 }
 
-void Sweep::add_arcs(const Curve& curve, const State& state, const Reach& reach,
-                     std::uint32_t left, std::uint32_t right) {
+void Sweep::add_arcs(const Curve& curve, const State& state, const Reach& reach, std::uint32_t left,
+                     std::uint32_t right) {
     std::uint32_t begin = left;
     const auto add = [&](std::uint32_t end) {
         output_.add_arc({state.type, state.label, {NodeId{begin}, NodeId{end}}});
@@ -185,19 +185,25 @@ std::vector<std::uint32_t> Sweep::dividing_nodes(const Curve& curve, const State
         return compare(policy_, x.t, y.t) == Sign::negative;
     });
     std::vector<std::uint32_t> nodes;
+    const Parameter* last = nullptr;
     for (const Candidate& c : candidates) {
-        const auto end = planar_end(curve, c.a, c.b);
-        if (!end || *end != node_at(curve, c.t, nullptr)) continue;
-        if (nodes.empty() || nodes.back() != *end) nodes.push_back(*end);
+        if (last != nullptr && compare(policy_, *last, c.t) == Sign::zero) continue;
+        for (const EdgeId e : state.label.support.edges) {
+            const auto end = planar_end(curve, {c.a, c.b, e});
+            if (!end || *end != node_at(curve, c.t, nullptr)) continue;
+            nodes.push_back(*end);
+            last = &c.t;
+            break;
+        }
     }
     return nodes;
 }
 
-/// The node in which an arc of lines that cross edges a and b at the curve's vertex, and its edge, ends.
-std::optional<std::uint32_t> Sweep::planar_end(const Curve& curve, EdgeId a, EdgeId b) {
-    const auto planar = Curve::through_edges(forms_, policy_, {a, b, curve.base()});
+/// The node in which an arc of lines that cross two edges at the curve's vertex, and a third edge, ends.
+std::optional<std::uint32_t> Sweep::planar_end(const Curve& curve, std::array<EdgeId, 3> edges) {
+    const auto planar = Curve::through_edges(forms_, policy_, edges);
     if (!planar || planar->kind() != CurveKind::plane_pencil) return std::nullopt;
-    if (planar->edges()[2] != curve.base()) return std::nullopt;
+    if (planar->edges()[2] != edges[2]) return std::nullopt;
     const bool at_source =
         forms_.place(forms_.scene()[planar->base()].source) == forms_.place(curve.vertex());
     const Parameter end = Parameter::dyadic(at_source ? 0 : 1);
@@ -283,7 +289,7 @@ Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
     }
     state.is_free = true;
     state.label = cut_.label(*run);
-    state.type = arc_type(forms_, cut_, *run, line, state.label);
+    state.type = arc_type(curve, cut_, *run, state.label);
     state.stopping = cut_.stopping_faces(*run);
     return state;
 }

@@ -66,7 +66,8 @@ private:
     /// Where planar arcs past v end on the arc (rule 3 of VisibilitySkeleton), from left to right.
     [[nodiscard]] std::vector<std::uint32_t> dividing_nodes(const Curve& curve, const State& state,
                                                             const Reach& reach);
-    [[nodiscard]] std::optional<std::uint32_t> planar_end(const Curve& curve, EdgeId a, EdgeId b);
+    [[nodiscard]] std::optional<std::uint32_t> planar_end(const Curve& curve,
+                                                          std::array<EdgeId, 3> edges);
     [[nodiscard]] bool is_free_next_to(const Curve& curve, Interval interval, bool at_left);
     [[nodiscard]] std::vector<EdgeId> edges_round(VertexId v) const;
     [[nodiscard]] Reach blocked_reach(const Curve& curve, const Interval& interval,
@@ -87,8 +88,9 @@ private:
 /// Type and elements of the node whose line has been cut.
 [[nodiscard]] FoundNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& run,
                                       const Line& line, SegmentLabel&& label);
-[[nodiscard]] ArcType arc_type(const SceneForms& forms, const LineCut& cut, const Run& run,
-                               const Line& line, const SegmentLabel& label);
+/// Type of the arc of the curve to which the cut line's run belongs.
+[[nodiscard]] ArcType arc_type(const Curve& curve, const LineCut& cut, const Run& run,
+                               const SegmentLabel& label);
 
 /// Pairs of edges of touching bodies that cross in a point inside both.
 [[nodiscard]] std::vector<std::pair<EdgeId, EdgeId>> edge_crossings(const SceneForms& forms);
