@@ -104,6 +104,9 @@ std::uint64_t write_document(std::ostream& out, const Document& document, const 
     } else if (const LoadedScene3* space = document.scene3) {
         write_scene(json, space->arguments, space->scene.vertices().size(),
                     space->scene.bodies().size());
+    } else if (!document.inputs.is_null()) {
+        json.key("scene");
+        json.tree(document.inputs);
     }
     write_options(json, document);
     const std::uint64_t place = write_stats(json, session);

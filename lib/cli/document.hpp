@@ -15,7 +15,9 @@ namespace sightline::detail {
 struct Document {
     std::string kind;
     const LoadedScene* scene = nullptr;
-    const LoadedScene3* scene3 = nullptr;                               ///< instead of `scene`
+    const LoadedScene3* scene3 = nullptr;  ///< instead of `scene`
+    /// What stands under `scene` when there is neither.
+    nlohmann::ordered_json inputs{};
     nlohmann::ordered_json options = nlohmann::ordered_json::object();  ///< beside the scene's own
     bool complete = true;
     std::function<void(JsonWriter&)> result;   ///< writes one value

@@ -50,6 +50,7 @@ void add_info(Program& program);
 void add_graph(Program& program);
 void add_view2(Program& program);
 void add_path(Program& program);
+void add_transversals(Program& program);
 void add_render(Program& program);
 void add_show(Program& program);
 void add_generate(Program& program);

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "event/scaled_segments.hpp"
+#include "event/swath_polynomials.hpp"
 
 namespace sightline {
 
@@ -270,6 +271,42 @@ private:
     std::size_t general_calls_ = 0;
 };
 
+// Of two conjugate lines that meet three pairwise skew segments and a fourth, the first or second;
+// empty where the lines are rational or the first three are not skew.
+std::optional<SurdLine3> irrational_line(const std::vector<TransversalElement>& four,
+                                         std::uint8_t root) {
+    const RationalLine3 l1 = four[0].carrier(), l2 = four[1].carrier(), l3 = four[2].carrier();
+    for (const Rational& x : {side(l1, l2), side(l1, l3), side(l2, l3)}) {
+        if (x.sign() == Sign::zero) return std::nullopt;
+    }
+    const Vector3 a = vector_to(four[0].source());
+    const auto swath =
+        detail::swath(detail::moving_plane(a, l1.d, l2), detail::moving_plane(a, l1.d, l3));
+    const auto f = detail::side_polynomial(swath, four[3].carrier());
+    const Rational discriminant = f.c1 * f.c1 - 4 * f.c0 * f.c2;
+    if (f.c2.sign() == Sign::zero || discriminant.sign() != Sign::positive) return std::nullopt;
+    const Rational twice = 2 * f.c2;
+    const Surd t(-f.c1 / twice, Rational(1) / twice, discriminant);
+    if (t.is_rational()) return std::nullopt;
+    // t² from the quadratic, so that each coordinate is linear in t.
+    const Rational square = -f.c1 / f.c2, constant = -f.c0 / f.c2;
+    const auto value = [&](const Rational& c0, const Rational& c1, const Rational& c2) {
+        return Surd(c0 + c2 * constant) + Surd(c1 + c2 * square) * t;
+    };
+    const auto vector = [&](const detail::Quadratic<Vector3>& v) {
+        return SurdVector3{value(v.c0.x, v.c1.x, v.c2.x), value(v.c0.y, v.c1.y, v.c2.y),
+                           value(v.c0.z, v.c1.z, v.c2.z)};
+    };
+    SurdLine3 line{vector(swath.d), vector(swath.m)};
+    const Surd& by = line.d.x != Surd() ? line.d.x : line.d.y != Surd() ? line.d.y : line.d.z;
+    const Surd inverse = Surd(1) / by;
+    line = {inverse * line.d, inverse * line.m};
+    const auto c = line.coordinates();
+    const SurdLine3 other{{c[0].conjugate(), c[1].conjugate(), c[2].conjugate()},
+                          {c[3].conjugate(), c[4].conjugate(), c[5].conjugate()}};
+    return (line < other) == (root == 0) ? line : other;
+}
+
 }  // namespace
 
 Result<SegmentTransversals> transversals(std::span<const RationalSegment3> segments,
@@ -284,6 +321,7 @@ SurdLine3 exact_line(std::span<const RationalSegment3> segments,
         SIGHTLINE_EXPECT(i < segments.size());
         four.push_back(TransversalElement::segment(segments[i]));
     }
+    if (auto quick = irrational_line(four, line.root)) return std::move(*quick);
     const Transversals all = transversals(four);
     const auto found = std::ranges::find(all.lines, line.root, &TransversalLine::root);
     SIGHTLINE_EXPECT(found != all.lines.end());

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/transversals.hpp"
@@ -164,7 +165,10 @@ TEST(SegmentTransversals, AnExactLineIsTheLineOfItsSupport) {
         for (const auto i : line.support) {
             four.push_back(TransversalElement::segment(segments[i]));
         }
-        EXPECT_TRUE(verify(four, exact_line(segments, line)));
+        const Transversals listed = transversals(four);
+        const auto found = std::ranges::find(listed.lines, line.root, &TransversalLine::root);
+        ASSERT_NE(found, listed.lines.end());
+        EXPECT_EQ(exact_line(segments, line), found->line);
     }
     EXPECT_THROW((void)exact_line(segments, {{0, 1, 2, 99}, 0}), ContractViolation);
 }
