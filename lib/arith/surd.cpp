@@ -116,6 +116,7 @@ bool operator==(const Surd& x, const Surd& y) {
 }
 
 std::strong_ordering operator<=>(const Surd& x, const Surd& y) {
+    if (x.is_rational() && y.is_rational()) return x.a_ <=> y.a_;
     const Sign sign = sign_of_sum(x.a_ - y.a_, x.b_, x.c_, -y.b_, y.c_);
     return static_cast<int>(sign) <=> 0;
 }

@@ -20,6 +20,9 @@ void add_roots(const Rational& c2, const Rational& c1, const Rational& c0,
     if (!is_zero(discriminant)) roots.emplace_back(half, -1, discriminant);
 }
 
+// Whether a plane that has the ends of a segment on these sides meets the segment.
+bool is_between(Sign source, Sign target) { return source * target != Sign::positive; }
+
 template <typename T>
 void sort_unique(std::vector<T>& values) {
     std::ranges::sort(values);
@@ -108,15 +111,27 @@ std::vector<std::array<Rational, 2>> LineFamily::live() const {
 }
 
 void LineFamily::add_meetings(const ExactEdge& e, std::vector<Surd>& events) const {
-    // Three values give a polynomial of degree 2.
-    const Rational at_0 = side(0, e);
-    const Rational at_1 = side(1, e);
     if (point_) {
-        add_roots(0, at_1 - at_0, at_0, events);
+        if (!is_between(height(plane_, e.source).sign(), height(plane_, e.target).sign())) return;
+        const Rational at_0 = side(0, e);
+        add_roots(0, side(1, e) - at_0, at_0, events);
         return;
     }
+    const Rational at_0 = side(0, e);
+    const Rational at_1 = side(1, e);
+    // Three values give a polynomial of degree 2.
     const Rational at_minus = side(-1, e);
-    add_roots((at_1 + at_minus) / 2 - at_0, (at_1 - at_minus) / 2, at_0, events);
+    std::vector<Surd> roots;
+    add_roots((at_1 + at_minus) / 2 - at_0, (at_1 - at_minus) / 2, at_0, roots);
+    if (roots.empty()) return;
+    // The line lies in the plane of the base's point and the second edge; e must meet that plane.
+    const ExactEdge& second = scene_->edges[edges_[1].index()];
+    const Linear from = distance(second, e.source);
+    const Linear to = distance(second, e.target);
+    for (Surd& s : roots) {
+        const auto sign = [&](const Linear& d) { return (d.constant + s * d.slope).sign(); };
+        if (is_between(sign(from), sign(to))) events.push_back(std::move(s));
+    }
 }
 
 void LineFamily::add_point(const RationalTriple& p, std::vector<Surd>& events) const {

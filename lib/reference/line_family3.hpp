@@ -23,8 +23,8 @@ public:
     [[nodiscard]] ExactLine line_at(const Surd& s) const;
     /// The s in [0, 1], ascending, between which its lines meet all generators: pairs of ends.
     [[nodiscard]] std::vector<std::array<Rational, 2>> live() const;
-    /// The s strictly between two at which the line meets an edge's line, not all of which do, or a point
-    /// where features fix it; ascending.
+    /// The s strictly between two at which the line meets an edge that not all lines of the family meet, or a
+    /// point where features fix it; ascending.
     [[nodiscard]] std::vector<Surd> events(const Rational& first, const Rational& last) const;
 
     [[nodiscard]] const std::optional<RationalTriple>& point() const { return point_; }
