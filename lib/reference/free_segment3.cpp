@@ -24,7 +24,7 @@ std::vector<SegmentLabel> labels(const ExactTriangles& exact, const BasicLine3<N
 
 bool is_interior(const Scene3& scene, const RationalPoint3& x) {
     const ExactTriangles exact(scene);
-    return LocalPicture<Rational>(exact, vector_to(x), false).is_interior();
+    return picture_at(exact, vector_to(x), false).is_interior();
 }
 
 bool is_free(const Scene3& scene, const RationalPoint3& p, const RationalPoint3& q) {

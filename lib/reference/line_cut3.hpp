@@ -19,6 +19,16 @@ using detail::inward;
 using detail::LocalPicture;
 using detail::over;
 
+/// What there is round x, by looking at all planes through it and at points of the whole scene.
+template <typename Number>
+[[nodiscard]] LocalPicture<Number> picture_at(const ExactTriangles& exact,
+                                              const BasicVector3<Number>& x, bool sheet_borders) {
+    std::vector<const ExactTriangle*> all;
+    for (const ExactTriangle& t : exact.triangles()) all.push_back(&t);
+    return {std::move(all), x, sheet_borders,
+            [&exact, x](const auto& d) { return detail::solids_along(exact, x, d); }};
+}
+
 /// A line p + t d and everything that it meets: the law of free segments, word by word.
 ///
 /// The parameters at which it meets or leaves triangles, and the marks that the caller adds, cut the line
@@ -171,7 +181,7 @@ private:
         for (const ExactTriangle& t : exact_.triangles()) {
             if (t.is_sheet && contains(t, x)) result.is_on_sheet = true;
         }
-        const LocalPicture<Number> picture(exact_, x, false);
+        const LocalPicture<Number> picture = picture_at(exact_, x, false);
         result.is_interior = picture.is_interior();
         std::set<BodyId> solids;
         for (const auto& cell : picture.cells())
@@ -259,9 +269,11 @@ private:
 
     // The sheets that the segment crosses at the run; none when it does not cross W.
     [[nodiscard]] std::set<BodyId> crossed_sheets(const Run& run) const {
-        std::vector<Vector> points;
-        for (std::size_t i = run.first; i <= run.last; ++i) points.push_back(point(parameters_[i]));
-        return detail::SheetCrossing<Number>(exact_, points, d_).crossed();
+        std::vector<LocalPicture<Number>> pictures;
+        for (std::size_t i = run.first; i <= run.last; ++i) {
+            pictures.push_back(picture_at(exact_, point(parameters_[i]), true));
+        }
+        return detail::SheetCrossing<Number>(std::move(pictures), d_).crossed();
     }
 
     // ---- support ---------------------------------------------------------------------------------

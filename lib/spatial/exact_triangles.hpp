@@ -144,4 +144,27 @@ template <typename Number>
     }
 }
 
+/// The largest power of 1/2 that is at most 1 and by which `change` must be multiplied so that added to
+/// `base`, of the opposite sign, it does not outweigh it.
+template <typename Number>
+void shrink(Number& factor, const Number& base, const Number& change) {
+    const Number half = Number(1) / Number(2);
+    while (sign_of(base + factor * change) != sign_of(base)) factor = factor * half;
+}
+
+/// The solids into which a direction leads from x, in which it lies in no plane of a triangle through x: by
+/// looking at a point so near that no other plane is in between.
+template <typename Number>
+[[nodiscard]] std::vector<BodyId> solids_along(const ExactTriangles& exact,
+                                               const BasicVector3<Number>& x,
+                                               const BasicVector3<Number>& direction) {
+    Number step(1);
+    for (const ExactTriangle& t : exact.triangles()) {
+        const Number at_x = height(t, x);
+        const Number change = dot(over<Number>(t.normal), direction);
+        if (sign_of(at_x) * sign_of(change) == Sign::negative) shrink(step, at_x, change);
+    }
+    return solids_containing(exact, x + step * direction);
+}
+
 }  // namespace sightline::detail

@@ -2,6 +2,8 @@
 // Where a line meets more of sheets than one body's state before and after can tell.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "sightline/geom/plucker.hpp"
 #include "spatial/line_cut.hpp"
@@ -35,6 +37,110 @@ BasicLine3<Number> line_over(const ExactLine& line) {
                                     number_of<Number>(line, a[2], b[2])};
     };
     return {vector(line.a.d, line.b.d), vector(line.a.m, line.b.m)};
+}
+
+/// The solids into which directions lead from a point, seen from the triangles that contain it alone. No
+/// other solid contains the point.
+template <typename Number>
+class NearSolids {
+public:
+    using Vector = BasicVector3<Number>;
+
+    NearSolids(const std::vector<const ExactTriangle*>& near, const Vector& x) : x_(x) {
+        for (const ExactTriangle* t : near) {
+            if (!t->is_sheet) triangles_[t->body].push_back(t);
+        }
+    }
+
+    std::vector<BodyId> operator()(const Vector& direction) const {
+        std::vector<BodyId> result;
+        for (const auto& [body, triangles] : triangles_) {
+            if (contains(triangles, direction)) result.push_back(body);
+        }
+        return result;
+    }
+
+private:
+    using Triangles = std::vector<const ExactTriangle*>;
+
+    // Turns the direction towards points of the solid's triangles, until one is reached without
+    // passing a border; the first triangle that is passed shows its front or its back.
+    [[nodiscard]] bool contains(const Triangles& triangles, const Vector& direction) const {
+        for (int attempt = 1;; ++attempt) {
+            for (const ExactTriangle* target : triangles) {
+                if (const auto inside = seen_towards(triangles, *target, direction, attempt)) {
+                    return *inside;
+                }
+            }
+        }
+    }
+
+    [[nodiscard]] std::optional<bool> seen_towards(const Triangles& triangles,
+                                                   const ExactTriangle& target,
+                                                   const Vector& direction, int attempt) const {
+        const auto& [a, b, c] = target.corners;
+        const Vector towards = over<Number>(a) + Number(1 + 7 * attempt) * over<Number>(b) +
+                               Number(3 + attempt * attempt) * over<Number>(c) -
+                               Number(5 + 7 * attempt + attempt * attempt) * x_;
+        Number first(1);
+        const Number target_side = dot(over<Number>(target.normal), direction);
+        bool inside = sign_of(target_side) == Sign::negative;
+        for (const ExactTriangle* t : triangles) {
+            const Vector n = over<Number>(t->normal);
+            const Number from = dot(n, direction);
+            const Number to = dot(n, towards);
+            if (sign_of(to) == Sign::zero) {
+                if (cross(n, over<Number>(target.normal)).is_zero()) continue;
+                return std::nullopt;
+            }
+            if (sign_of(from) == sign_of(to)) continue;
+            const Number share = from / (from - to);
+            const Vector passed = direction + share * (towards - direction);
+            const Sign within = side_of_borders(*t, passed);
+            if (within == Sign::zero) return std::nullopt;
+            if (within == Sign::negative || first < share) continue;
+            first = share;
+            inside = sign_of(from) == Sign::negative;
+        }
+        return inside;
+    }
+
+    // Positive when the direction, in t's plane, leads from x into t, zero along its border.
+    [[nodiscard]] Sign side_of_borders(const ExactTriangle& t, const Vector& direction) const {
+        Sign result = Sign::positive;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (sign_of(inward(t, i, x_)) != Sign::zero) continue;
+            result = std::min(result, sign_of(inward(t, i, direction, false)));
+        }
+        return result;
+    }
+
+    Vector x_;
+    std::map<BodyId, Triangles> triangles_;
+};
+
+template <typename Number>
+Box3 box_round(const BasicVector3<Number>& x) {
+    Box3 box;
+    const std::array<Interval, 3> hulls{enclosure(x.x), enclosure(x.y), enclosure(x.z)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        box.low[i] = hulls[i].lower;
+        box.high[i] = hulls[i].upper;
+    }
+    return box;
+}
+
+template <typename Number>
+LocalPicture<Number> picture_at(const ExactTriangles& exact, const Bvh& boxes,
+                                const BasicVector3<Number>& x) {
+    const Box3 place = box_round(x);
+    std::vector<const ExactTriangle*> near;
+    boxes.traverse([&](const Box3& box) { return box.meets(place); },
+                   [&](std::uint32_t i) {
+                       const ExactTriangle& t = exact.triangles()[i];
+                       if (contains(t, x)) near.push_back(&t);
+                   });
+    return {near, x, true, NearSolids<Number>(near, x)};
 }
 
 }  // namespace
@@ -127,7 +233,11 @@ std::vector<BodyId> LineCut::crossed_sheets(const Stay& stay) const {
             x = p + (determinant(a - p, e, across) / dot(across, across)) * d;
         }
     }
-    const auto crossed = SheetCrossing<Number>(*exact_triangles_, points, d).crossed();
+    std::vector<LocalPicture<Number>> pictures;
+    for (const Vector& x : points) {
+        pictures.push_back(picture_at(*exact_triangles_, forms_->triangles(), x));
+    }
+    const auto crossed = SheetCrossing<Number>(std::move(pictures), d).crossed();
     return {crossed.begin(), crossed.end()};
 }
 

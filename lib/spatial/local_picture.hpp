@@ -4,7 +4,9 @@
 /// What there is round one point, exactly and by trying all planes. Private.
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "spatial/exact_triangles.hpp"
@@ -33,8 +35,13 @@ public:
         std::vector<BodyId> sheets;
     };
 
-    LocalPicture(const ExactTriangles& exact, const Vector& x, bool sheet_borders)
-        : exact_(exact), x_(x) {
+    using Triangles = std::vector<const ExactTriangle*>;
+    /// Says into which solids a direction leads, which lies in none of the planes.
+    using Solids = std::function<std::vector<BodyId>(const Vector&)>;
+
+    /// Of the triangles, at least those that contain x.
+    LocalPicture(Triangles triangles, const Vector& x, bool sheet_borders, const Solids& solids)
+        : triangles_(std::move(triangles)), x_(x), solids_(solids) {
         find_planes(sheet_borders);
         find_cells();
         if (sheet_borders) find_walls();
@@ -98,12 +105,6 @@ public:
     }
 
 private:
-    static void shrink(Number& t, const Number& base, const Number& change) {
-        const Number half = Number(1) / Number(2);
-        // Until |t change| < |base|, where they have different signs.
-        while (sign_of(base + t * change) != sign_of(base)) t = t * half;
-    }
-
     void add_plane(const Vector& n) {
         const bool known = std::any_of(normals_.begin(), normals_.end(), [&](const Vector& other) {
             return cross(n, other).is_zero();
@@ -112,7 +113,8 @@ private:
     }
 
     void find_planes(bool sheet_borders) {
-        for (const ExactTriangle& t : exact_.triangles()) {
+        for (const ExactTriangle* each : triangles_) {
+            const ExactTriangle& t = *each;
             if (sign_of(height(t, x_)) != Sign::zero) continue;
             add_plane(over<Number>(t.normal));
             if (!sheet_borders || !t.is_sheet || !contains(t, x_)) continue;
@@ -156,13 +158,7 @@ private:
     void add_cell(const Vector& direction) {
         const Signs signs = signs_of(direction);
         if (!index_.emplace(signs, cells_.size()).second) return;
-        Number step(1);
-        for (const ExactTriangle& t : exact_.triangles()) {
-            const Number at_x = height(t, x_);
-            const Number change = dot(over<Number>(t.normal), direction);
-            if (sign_of(at_x) * sign_of(change) == Sign::negative) shrink(step, at_x, change);
-        }
-        cells_.push_back({signs, direction, solids_containing(exact_, x_ + step * direction)});
+        cells_.push_back({signs, direction, solids_(direction)});
     }
 
     void find_walls() {
@@ -183,7 +179,8 @@ private:
         // A direction into the wall: where the step from one cell to the other passes its plane.
         const Vector c = dot(normal, d) * e - dot(normal, e) * d;
         std::vector<BodyId> sheets;
-        for (const ExactTriangle& t : exact_.triangles()) {
+        for (const ExactTriangle* each : triangles_) {
+            const ExactTriangle& t = *each;
             if (t.is_sheet && cross(over<Number>(t.normal), normal).is_zero() && contains(t, x_) &&
                 leads_into(t, x_, c)) {
                 sheets.push_back(t.body);
@@ -192,8 +189,9 @@ private:
         walls_.push_back({i, j, sheets});
     }
 
-    const ExactTriangles& exact_;
+    Triangles triangles_;
     Vector x_;
+    Solids solids_;
     std::vector<Vector> normals_;
     std::vector<Cell> cells_;
     std::vector<Wall> walls_;

@@ -14,20 +14,20 @@
 
 namespace sightline::detail {
 
-/// A line along d at a maximal interval inside W: the points at which something changes, in order; a
-/// single one where it does not run along W. The cells of the local pictures at these points, joined
-/// along the pieces between them, stand for the neighbourhood of the interval.
+/// A line along d at a maximal interval inside W: pictures of the points at which something changes, in
+/// order; a single one where it does not run along W. Their cells, joined along the pieces between them,
+/// stand for the neighbourhood of the interval.
 template <typename Number>
 class SheetCrossing {
 public:
     using Vector = BasicVector3<Number>;
 
-    SheetCrossing(const ExactTriangles& exact, const std::vector<Vector>& points, const Vector& d)
-        : d_(d) {
-        for (const Vector& x : points) {
-            pictures_.emplace_back(exact, x, true);
+    /// Pictures with the borders of sheets.
+    SheetCrossing(std::vector<LocalPicture<Number>> pictures, const Vector& d)
+        : d_(d), pictures_(std::move(pictures)) {
+        for (const auto& picture : pictures_) {
             offsets_.push_back(cell_count_);
-            cell_count_ += pictures_.back().cells().size();
+            cell_count_ += picture.cells().size();
         }
     }
 
