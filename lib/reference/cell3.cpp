@@ -114,12 +114,19 @@ Freedom freedom(const ExactScene& scene, const Cell& cell) {
     return {rank(given.edges) == 3 ? 1 : 0, {}};
 }
 
+std::vector<FaceId> faces_in_plane(const ExactScene& scene, const Cell& cell,
+                                   const ExactLine& line) {
+    auto faces = touched_faces(scene, cell);
+    std::erase_if(faces, [&](FaceId f) { return !lies_in(line, scene.planes[f.index()]); });
+    return faces;
+}
+
 NodeType node_type(const ExactScene& scene, const Cell& cell, const ExactLine& line) {
     const Conditions given = conditions(scene, cell);
     if (given.points.size() > 1) return NodeType::vv;
     std::set<Plane> planes;  // coplanar faces fix no more than one of them
-    for (const FaceId f : touched_faces(scene, cell)) {
-        if (lies_in(line, scene.planes[f.index()])) planes.insert(scene.planes[f.index()]);
+    for (const FaceId f : faces_in_plane(scene, cell, line)) {
+        planes.insert(scene.planes[f.index()]);
     }
     if (given.points.size() == 1) return planes.empty() ? NodeType::vee : NodeType::fve;
     if (planes.empty()) return NodeType::eeee;

@@ -45,6 +45,9 @@ struct Freedom {
 
 [[nodiscard]] Freedom freedom(const ExactScene& scene, const Cell& cell);
 
+/// The faces of which the segment touches a vertex or two edges, and in whose plane the line lies.
+[[nodiscard]] std::vector<FaceId> faces_in_plane(const ExactScene& scene, const Cell& cell,
+                                                 const ExactLine& line);
 [[nodiscard]] NodeType node_type(const ExactScene& scene, const Cell& cell, const ExactLine& line);
 [[nodiscard]] ArcType arc_type(const ExactScene& scene, const Cell& cell, const Freedom& freedom);
 

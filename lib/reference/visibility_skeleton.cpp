@@ -135,7 +135,8 @@ std::vector<Found> Builder::segments_at(const LineFamily& family, const Surd& s)
 
 NodeId Builder::node(const Found& found) {
     nodes_.push_back({node_type(scene_, found.cell, found.line), found.cell.label,
-                      root_of(scene_, found.cell, found.line)});
+                      root_of(scene_, found.cell, found.line),
+                      faces_in_plane(scene_, found.cell, found.line)});
     return NodeId{static_cast<std::uint32_t>(nodes_.size() - 1)};
 }
 

@@ -112,6 +112,7 @@ FoundNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& 
             }
         }
     }
+    found.node.faces = std::move(faces);
     found.node.label = std::move(label);
     return found;
 }

@@ -28,6 +28,7 @@ inline std::string to_string(const SkeletonNode& node) {
     std::ostringstream out;
     out << name_of(node.type) << ' ' << node.label;
     if (node.root != Root::only) out << (node.root == Root::first ? " #1" : " #2");
+    for (const FaceId f : node.faces) out << " in " << to_string(f);
     return out.str();
 }
 
@@ -183,7 +184,11 @@ inline SegmentLabel renamed(SegmentLabel label, const Renaming& names) {
 inline VisibilitySkeleton renamed(const VisibilitySkeleton& skeleton, const Renaming& names) {
     std::vector<SkeletonNode> nodes(skeleton.nodes().begin(), skeleton.nodes().end());
     std::vector<SkeletonArc> arcs(skeleton.arcs().begin(), skeleton.arcs().end());
-    for (SkeletonNode& n : nodes) n.label = renamed(std::move(n.label), names);
+    for (SkeletonNode& n : nodes) {
+        n.label = renamed(std::move(n.label), names);
+        for (FaceId& f : n.faces) f = names.faces[f.index()];
+        std::ranges::sort(n.faces);
+    }
     for (SkeletonArc& a : arcs) a.label = renamed(std::move(a.label), names);
     return {std::move(nodes), std::move(arcs)};
 }

@@ -56,6 +56,9 @@ struct SkeletonNode {
     NodeType type{};
     SegmentLabel label;
     Root root = Root::only;
+    /// The faces in whose plane the line lies (see NodeType), ascending: nodes of type FvE may have equal
+    /// labels and differ in them.
+    std::vector<FaceId> faces{};
 
     friend auto operator<=>(const SkeletonNode&, const SkeletonNode&) = default;
 };
