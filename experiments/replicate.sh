@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 build=${1:-$here/../build/release}
 maps=${2:-}
 out=${3:-$here}
-mkdir -p "$out/01-precision-tiers" "$out/02-maps2d/results" "$out/03-graph-scaling" "$out/bench/results"
+mkdir -p "$out/01-precision-tiers" "$out/02-maps2d/results" "$out/03-graph-scaling" "$out/04-transversals" "$out/bench/results"
 
 "$build/experiments/01-precision-tiers" --out "$out/01-precision-tiers/results.csv"
 if command -pv python3 >/dev/null && "$(command -pv python3)" -c 'import matplotlib' 2>/dev/null; then
@@ -17,6 +17,12 @@ if command -pv python3 >/dev/null && "$(command -pv python3)" -c 'import matplot
     "$(command -pv python3)" "$here/01-precision-tiers/plot.py" "$out/01-precision-tiers/results.csv" "$figure"
 fi
 "$build/experiments/03-graph-scaling" --out "$out/03-graph-scaling/results.csv"
+# Known inputs are read when the folder of maps lies beside them.
+if [ -n "$maps" ] && [ -d "$maps/../lts" ]; then
+    "$build/experiments/04-transversals" --data "$maps/.." --out "$out/04-transversals/results.csv"
+else
+    "$build/experiments/04-transversals" --out "$out/04-transversals/results.csv"
+fi
 if [ -n "$maps" ]; then
     "$build/experiments/02-maps2d" --data "$maps" --out "$out/02-maps2d/results"
 fi
