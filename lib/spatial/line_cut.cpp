@@ -258,8 +258,6 @@ BodyId LineCut::body_of(const Contact& c) const {
     return scene[FaceId{c.id}].body;
 }
 
-bool LineCut::is_sheet(BodyId b) const { return forms_->scene()[b].kind == SurfaceKind::sheet; }
-
 void LineCut::find_touches() {
     touches_.clear();
     for (const Contact& c : contacts_) {
@@ -315,22 +313,6 @@ void LineCut::follow_solid(std::span<const Touch> touches) {
         }
     }
     // A world that the line misses is all round it: nothing there is free.
-}
-
-void LineCut::follow_sheet(std::span<const Touch> touches) {
-    using Where = LocalState::Where;
-    Where side = Where::open;
-    std::uint32_t begin = 0;
-    for (const Touch& t : touches) {
-        if (t.before.where != Where::on) {
-            side = t.before.where;
-            begin = t.place;
-        }
-        if (t.after.where == Where::on) continue;
-        const bool known = side != Where::open && t.after.where != Where::open;
-        if (known && side != t.after.where) cuts_.push_back({t.body, begin, t.place});
-        side = Where::open;
-    }
 }
 
 void LineCut::seal() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a line meets more of sheets than one body's state before and after can tell.
+// What sheets do to a line that is cut: each by its own state before and after, and where a line meets more
+// than that can tell, by the local pictures.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -144,6 +145,24 @@ LocalPicture<Number> picture_at(const ExactTriangles& exact, const Bvh& boxes,
 }
 
 }  // namespace
+
+bool LineCut::is_sheet(BodyId b) const { return forms_->scene()[b].kind == SurfaceKind::sheet; }
+
+void LineCut::follow_sheet(std::span<const Touch> touches) {
+    using Where = LocalState::Where;
+    Where side = Where::open;
+    std::uint32_t begin = 0;
+    for (const Touch& t : touches) {
+        if (t.before.where != Where::on) {
+            side = t.before.where;
+            begin = t.place;
+        }
+        if (t.after.where == Where::on) continue;
+        const bool known = side != Where::open && t.after.where != Where::open;
+        if (known && side != t.after.where) cuts_.push_back({t.body, begin, t.place});
+        side = Where::open;
+    }
+}
 
 bool LineCut::is_on_sheet(std::uint32_t place) const {
     return std::ranges::any_of(
