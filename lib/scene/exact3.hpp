@@ -13,6 +13,8 @@ namespace sightline::detail {
 /// On which side of the plane through a, b, c the point d lies: positive when a, b, c turn
 /// counter-clockwise seen from d; zero when the four are coplanar.
 [[nodiscard]] Sign orientation3(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+[[nodiscard]] Sign orientation3(const RationalPoint3& a, const RationalPoint3& b,
+                                const RationalPoint3& c, const RationalPoint3& d);
 
 /// The point without its coordinate number `axis`; the other two in cyclic order, so that a triangle whose
 /// normal points along the axis keeps its sense.
@@ -20,11 +22,21 @@ namespace sightline::detail {
     return axis == 0 ? Point2{p.y, p.z} : axis == 1 ? Point2{p.z, p.x} : Point2{p.x, p.y};
 }
 
+[[nodiscard]] inline RationalPoint2 drop(const RationalPoint3& p, int axis) {
+    return axis == 0   ? RationalPoint2{p.y, p.z}
+           : axis == 1 ? RationalPoint2{p.z, p.x}
+                       : RationalPoint2{p.x, p.y};
+}
+
 /// Whether three points lie on one line.
 [[nodiscard]] bool are_collinear(const Point3& a, const Point3& b, const Point3& c);
+[[nodiscard]] bool are_collinear(const RationalPoint3& a, const RationalPoint3& b,
+                                 const RationalPoint3& c);
 
 /// Whether b lies strictly between a and c on the line through them.
 [[nodiscard]] bool is_between(const Point3& a, const Point3& b, const Point3& c);
+[[nodiscard]] bool is_between(const RationalPoint3& a, const RationalPoint3& b,
+                              const RationalPoint3& c);
 
 /// An oriented plane by three points that are not collinear, with an axis along which it can be looked at.
 struct Plane3 {

@@ -4,32 +4,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "scene/features3.hpp"
+#include "scene/validate3.hpp"
 
 namespace sightline {
 namespace {
 
 using detail::Mesh3;
 
-/// A body for each component, the world's components together.
-std::vector<BodyId> make_bodies(const Mesh3& mesh, std::vector<Body3>& bodies) {
-    std::vector<BodyId> of_component;
-    BodyId world = BodyId::none();
-    for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-        if (mesh.component_of_face[f] < of_component.size()) continue;
-        const BodyId next{static_cast<std::uint32_t>(bodies.size())};
-        if (mesh.is_world(f)) {
-            of_component.push_back(world.is_none() ? next : world);
-            if (!world.is_none()) continue;
-            world = next;
-        } else {
-            of_component.push_back(next);
+/// A body for each component that bounds no cavity; the world's components are one.
+std::vector<BodyId> make_bodies(const Mesh3& mesh, const std::vector<std::uint32_t>& owner,
+                                std::vector<Body3>& bodies) {
+    std::vector<std::uint32_t> first_face(mesh.component_count, detail::no_index);
+    for (std::uint32_t f = mesh.face_count(); f-- > 0;) first_face[mesh.component_of_face[f]] = f;
+    std::vector<BodyId> of_component(mesh.component_count);
+    BodyId world;
+    for (std::uint32_t c = 0; c < mesh.component_count; ++c) {
+        const bool is_world = mesh.is_world(first_face[c]);
+        if (owner[c] != c) continue;
+        if (is_world && !world.is_none()) {
+            of_component[c] = world;
+            continue;
         }
-        const std::uint32_t m = mesh.mesh_of_face[f];
-        bodies.push_back({mesh.input->meshes[m].kind, mesh.is_world(f), m});
+        of_component[c] = BodyId{static_cast<std::uint32_t>(bodies.size())};
+        if (is_world) world = of_component[c];
+        const std::uint32_t m = mesh.mesh_of_face[first_face[c]];
+        bodies.push_back({mesh.input->meshes[m].kind, is_world, m});
     }
+    for (std::uint32_t c = 0; c < mesh.component_count; ++c)
+        if (owner[c] != c) of_component[c] = of_component[owner[c]];
     return of_component;
+}
+
+Result<std::vector<Triangle3>> triangulate_all(const Mesh3& mesh, const std::vector<Face3>& faces) {
+    std::vector<Triangle3> all;
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+        const auto triangles = detail::triangulate(mesh.vertices, faces[f]);
+        if (triangles.empty()) {
+            return fail(Errc::self_intersection,
+                        fmt::format("{}: its boundary crosses itself; split or remove the face",
+                                    mesh.name_of_face(faces[f].input_faces.front())));
+        }
+        for (const auto& corners : triangles) all.push_back({corners, FaceId{f}});
+    }
+    return all;
+}
+
+/// Numbers the edges in the order that Scene3 promises.
+void sort_edges(std::vector<Edge3>& edges) {
+    std::sort(edges.begin(), edges.end(), [](const Edge3& a, const Edge3& b) {
+        return std::tie(a.source, a.target, a.body, a.faces) <
+               std::tie(b.source, b.target, b.body, b.faces);
+    });
 }
 
 }  // namespace
@@ -46,24 +74,26 @@ Result<Scene3> Scene3::make(const SceneInput3& input) {
     if (auto ok = detail::check_places(mesh); !ok) return tl::unexpected(std::move(ok.error()));
     if (auto ok = detail::orient_sheets(mesh); !ok) return tl::unexpected(std::move(ok.error()));
 
-    Scene3 scene;
-    const std::vector<BodyId> of_component = make_bodies(mesh, scene.bodies_);
-    Result<detail::Features3> features = detail::find_features(mesh, of_component);
+    std::vector<BodyId> components;
+    for (std::uint32_t c = 0; c < mesh.component_count; ++c) components.push_back(BodyId{c});
+    Result<detail::Features3> features = detail::find_features(mesh, components);
     if (!features) return tl::unexpected(std::move(features.error()));
-    for (std::uint32_t f = 0; f < features->faces.size(); ++f) {
-        const auto triangles = detail::triangulate(mesh.vertices, features->faces[f]);
-        if (triangles.empty()) {
-            return fail(Errc::self_intersection,
-                        fmt::format("{}: its boundary crosses itself; split or remove the face",
-                                    mesh.name_of_face(features->faces[f].input_faces.front())));
-        }
-        for (const auto& corners : triangles) scene.triangles_.push_back({corners, FaceId{f}});
-    }
+    Result<std::vector<Triangle3>> triangles = triangulate_all(mesh, features->faces);
+    if (!triangles) return tl::unexpected(std::move(triangles.error()));
+    const Result<detail::Nesting3> nesting = detail::validate(mesh, *features, *triangles);
+    if (!nesting) return tl::unexpected(nesting.error());
+
+    Scene3 scene;
+    const std::vector<BodyId> body = make_bodies(mesh, nesting->owner, scene.bodies_);
+    for (Edge3& edge : features->edges) edge.body = body[edge.body.index()];
+    for (Face3& face : features->faces) face.body = body[face.body.index()];
+    sort_edges(features->edges);
+    scene.triangles_ = std::move(*triangles);
     scene.vertices_ = std::move(mesh.vertices);
     scene.edges_ = std::move(features->edges);
     scene.faces_ = std::move(features->faces);
     scene.index_edges();
-    scene.touching_ = scene.bodies_.size() > 1;
+    scene.touching_ = nesting->touching;
     return scene;
 }
 

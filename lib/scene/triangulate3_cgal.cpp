@@ -44,6 +44,9 @@ public:
         for (const auto& ring : face_.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
                 fill_along(handles_.at(ring[i]), handles_.at(ring[(i + 1) % ring.size()]));
+        if (!is_region_) return {};
+        for (const auto& [piece, outside] : outsides_)
+            if (outside->info() && !outsides_.contains({piece.second, piece.first})) return {};
         return collect();
     }
 
@@ -77,7 +80,9 @@ private:
             SIGHTLINE_EXPECT(found);
             // The cell on the left of a → next, or on its right when the picture is mirrored.
             const bool is_left = cell->vertex(Triangulation::cw(index)) == next;
-            if (is_left != (plane_.facing == Sign::positive)) cell = cell->neighbor(index);
+            Cell outside = cell->neighbor(index);
+            if (is_left != (plane_.facing == Sign::positive)) std::swap(cell, outside);
+            outsides_.emplace(std::pair{a->info(), next->info()}, outside);
             fill(cell);
             a = next;
         }
@@ -104,6 +109,7 @@ private:
         while (!stack.empty()) {
             const Cell cell = stack.back();
             stack.pop_back();
+            if (planar_.is_infinite(cell)) is_region_ = false;
             if (planar_.is_infinite(cell) || cell->info()) continue;
             cell->info() = true;
             for (int i = 0; i < 3; ++i)
@@ -132,6 +138,9 @@ private:
     Plane3 plane_;
     Triangulation planar_;
     std::map<VertexId, Vertex> handles_;
+    bool is_region_ = true;  ///< nothing reached infinity
+    /// A piece of a ring: the cell on its outer side. Only slits have both directions.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Cell> outsides_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 /// Small meshes, and scenes made of them.
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string_view>
@@ -51,7 +52,7 @@ inline MeshInput3 fans_of(MeshInput3 mesh) {
 }
 
 inline MeshInput3 turned(MeshInput3 mesh) {
-    for (auto& face : mesh.faces) face.assign(face.rbegin(), face.rend());
+    for (auto& face : mesh.faces) std::reverse(face.begin(), face.end());
     return mesh;
 }
 
