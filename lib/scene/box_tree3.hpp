@@ -42,6 +42,8 @@ public:
         if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
     }
 
+    [[nodiscard]] const SceneBox3& box(std::uint32_t index) const { return boxes_[index]; }
+
     /// Calls visit(index) for each box that meets `box`.
     template <typename Visit>
     void query(const SceneBox3& box, const Visit& visit) const {

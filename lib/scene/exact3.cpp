@@ -71,6 +71,8 @@ bool collinear(const Point& a, const Point& b, const Point& c) {
 }  // namespace
 
 Sign orientation3(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
+    // Neighbours on a surface share points, and no filter sees that.
+    if (a == b || a == c || a == d || b == c || b == d || c == d) return Sign::zero;
     if (const auto sign = orientation3_polynomial<ErrorBounded>(a, b, c, d).sign()) return *sign;
     if (const auto sign = orientation3_polynomial<ExactDouble>(a, b, c, d).sign()) return *sign;
     return polynomial_sign(Arithmetic::filtered,

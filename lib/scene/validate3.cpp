@@ -213,7 +213,8 @@ private:
             box.include(SceneBox3::of(at(edge.target)));
             std::optional<std::uint32_t> pierced;
             tree_.query(box, [&](std::uint32_t t) {
-                if (!pierced && crosses_inside(edge, t)) pierced = t;
+                if (!pierced && !only_ends_meet(box, tree_.box(t)) && crosses_inside(edge, t))
+                    pierced = t;
             });
             if (pierced) return pierces(edge, *pierced);
         }
@@ -225,6 +226,15 @@ private:
             if (const auto ok = look_at(p, box, approx_point(p)); !ok) return ok;
         }
         return {};
+    }
+
+    /// Whether all that an edge's box has in common with a triangle's holds no inner point of the edge.
+    [[nodiscard]] static bool only_ends_meet(const SceneBox3& edge, const SceneBox3& triangle) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (edge.low[i] == edge.high[i]) continue;
+            if (edge.high[i] == triangle.low[i] || edge.low[i] == triangle.high[i]) return true;
+        }
+        return false;
     }
 
     [[nodiscard]] tl::unexpected<Error> pierces(const Edge3& edge, std::uint32_t t) const {
