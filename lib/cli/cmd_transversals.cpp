@@ -13,6 +13,7 @@
 #include "cli/program.hpp"
 #include "sightline/event/segment_transversals.hpp"
 #include "sightline/event/triangle_tangents.hpp"
+#include "sightline/viz/draw_transversals.hpp"
 
 namespace sightline::detail {
 namespace {
@@ -222,6 +223,7 @@ Result<ExitStatus> run_segments(const TransversalArguments& arguments, const std
     if (!found) return tl::unexpected(found.error());
     Document document = document_of(arguments, "segments", segments->size(), session);
     document.result = [&](JsonWriter& json) { write_segments_result(json, *segments, *found); };
+    document.picture = [&] { return viz::draw(*segments, *found); };
     return finish(arguments, document, found->lines.size(), found->components.size(), session);
 }
 
@@ -235,11 +237,12 @@ Result<ExitStatus> run_triangles(const TransversalArguments& arguments, const st
                     fmt::format("{}: {} triangles are given; tangents are asked of four",
                                 arguments.file, read->size()));
     }
-    const TriangleTangents found = session.timed("build", "looking for lines", [&] {
-        return triangle_tangents({read->at(0), read->at(1), read->at(2), read->at(3)});
-    });
+    const std::array<RationalTriangle3, 4> four{read->at(0), read->at(1), read->at(2), read->at(3)};
+    const TriangleTangents found =
+        session.timed("build", "looking for lines", [&] { return triangle_tangents(four); });
     Document document = document_of(arguments, "triangles", 4, session);
     document.result = [&](JsonWriter& json) { write_triangles_result(json, found); };
+    document.picture = [&] { return viz::draw(four, found); };
     return finish(arguments, document, found.lines.size(), found.components.size(), session);
 }
 
@@ -277,9 +280,7 @@ void add_transversals(Program& program) {
     app.add_flag("--triangles", arguments->triangles,
                  "four triangles, nine numbers each: lines through a boundary point of each that "
                  "enter none");
-    app.add_option("-o,--output", arguments->outputs.json, "JSON; standard output otherwise")
-        ->type_name("FILE")
-        ->group("Output");
+    add_output_arguments(app, arguments->outputs);
 }
 
 }  // namespace sightline::detail

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 namespace sightline::detail {
 
@@ -122,8 +123,9 @@ TransversalComponent Pencil::component(const std::vector<CircleArc>& arcs) const
     result.point = center_;
     result.plane = plane_;
     for (const CircleArc& arc : arcs) result.ranges.push_back(range(arc));
-    std::sort(result.ranges.begin(), result.ranges.end(),
-              [](const auto& a, const auto& b) { return a.from < b.from; });
+    std::sort(result.ranges.begin(), result.ranges.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.from, a.to, a.through) < std::tie(b.from, b.to, b.through);
+    });
     return result;
 }
 

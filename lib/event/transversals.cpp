@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <tuple>
 
 #include "event/pencil.hpp"
 #include "event/swath_polynomials.hpp"
@@ -246,8 +247,9 @@ private:
             result.ranges.push_back(detail::ordered(
                 {line(arc.from), line(arc.through), line(arc.to), arc.has_from, arc.has_to}));
         }
-        std::sort(result.ranges.begin(), result.ranges.end(),
-                  [](const auto& a, const auto& b) { return a.from < b.from; });
+        std::sort(result.ranges.begin(), result.ranges.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.from, a.to, a.through) < std::tie(b.from, b.to, b.through);
+        });
         return result;
     }
 

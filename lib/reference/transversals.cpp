@@ -424,8 +424,9 @@ private:
         add(std::move(c));
     }
     void add(TransversalComponent c) {
-        std::sort(c.ranges.begin(), c.ranges.end(),
-                  [](const auto& a, const auto& b) { return a.from < b.from; });
+        std::sort(c.ranges.begin(), c.ranges.end(), [](const auto& a, const auto& b) {
+            return std::tie(a.from, a.to, a.through) < std::tie(b.from, b.to, b.through);
+        });
         components_.push_back(std::move(c));
     }
 

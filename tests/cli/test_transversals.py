@@ -114,6 +114,17 @@ def test_the_order_of_the_input_renames_the_supports(folder):
             == run("transversals", "b.txt").json["result"])
 
 
+def test_vtk_files(folder):
+    (folder / "skew.txt").write_text(SKEW)
+    finished = run("transversals", "skew.txt", "--vtk", "lines.vtp")
+    assert (finished.status, finished.out) == (0, "")
+    assert "VTKFile" in (folder / "lines.vtp").read_text()[:200]
+    # SVG knows no depth.
+    finished = run("transversals", "skew.txt", "--svg", "lines.svg", "-o", "lines.json")
+    assert finished.status == 2 and "SVG knows no depth" in finished.err
+    assert not (folder / "lines.json").exists()
+
+
 def test_triangles(folder):
     # Far apart on the x and y axes in the plane z = 0, and the same again: four bitangents.
     pair = "0 0 0 1 0 0 0 1 0  9 0 0 10 0 0 9 1 0 "

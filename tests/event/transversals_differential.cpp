@@ -72,6 +72,21 @@ TEST(TransversalsDifferential, LinesOfOneRegulus) {
     }
 }
 
+// Where whole lines leave out a line, several ranges may begin at it.
+TEST(TransversalsDifferential, RangesThatBeginAtOneMissingLine) {
+    for (const char* text : {"segment 1 2 1, 1 2 3 | line 2 2 0, 3 0 1 | line 2 0 3, 0 1 3",
+                             "line 1 1 1, 0 0 3 | line 2 0 0, 2 2 1 | segment 3 2 2, 0 2 0",
+                             "segment 2 1 2, 0 2 0 | segment 2 1 2, 1 0 1 | segment 1 2 2, 2 2 0 | "
+                             "line 1 2 1, 2 0 2",
+                             "line 2 1 2, 1 0 2 | line 2 2 2, 3 1 3 | segment 1 3 2, 3 2 1"}) {
+        const Elements all = testing::elements(text);
+        const Transversals actual = transversals(all);
+        EXPECT_TRUE(testing::same_transversals(actual, reference::transversals(all))) << text;
+        ASSERT_EQ(actual.components.size(), 1u);
+        EXPECT_GT(actual.components[0].ranges.size(), 1u);
+    }
+}
+
 TEST(TransversalsDifferential, FewerElements) {
     Coverage coverage;
     for (int count = 1; count <= 3; ++count) {
