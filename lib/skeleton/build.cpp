@@ -141,28 +141,6 @@ struct Shared {
     std::atomic<std::size_t> arc_count = 0;
 };
 
-/// Every three edges that lines near a node may meet in different points.
-template <typename Visit>
-void for_each_swath(const std::vector<FoundNode::Element>& elements, const Visit& visit) {
-    const auto compatible = [&](const auto& a, const auto& b) {
-        const bool same_vertex = !a.vertex.is_none() && a.vertex == b.vertex;
-        return a.edge != b.edge && (a.place != b.place || same_vertex);
-    };
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            if (!compatible(elements[i], elements[j])) continue;
-            for (std::size_t k = 0; k < j; ++k) {
-                if (!compatible(elements[i], elements[k])) continue;
-                if (!compatible(elements[j], elements[k])) continue;
-                if (elements[i].place == elements[k].place) continue;
-                EdgeTriple edges{elements[i].edge, elements[j].edge, elements[k].edge};
-                std::ranges::sort(edges);
-                visit(edges);
-            }
-        }
-    }
-}
-
 class Worker {
 public:
     explicit Worker(Shared& shared)
@@ -202,21 +180,21 @@ public:
 
 private:
     SweepOutput output() {
-        return {[this](FoundNode&& found) { return add(std::move(found)); },
-                [this](SkeletonArc&& arc) {
-                    if (!shared_.selection.wants(arc.label)) return;
-                    shared_.arc_count.fetch_add(1, std::memory_order_relaxed);
-                    arcs.push_back(std::move(arc));
-                }};
-    }
-    std::uint32_t add(FoundNode&& found) {
-        const auto [number, is_new] = shared_.nodes.insert(std::move(found.node));
-        if (is_new && !shared_.selection.is_by_pair()) {
-            for_each_swath(found.elements, [&](const EdgeTriple& t) {
+        SweepOutput output;
+        output.add_node = [this](SkeletonNode&& node) {
+            return shared_.nodes.insert(std::move(node));
+        };
+        output.add_arc = [this](SkeletonArc&& arc) {
+            if (!shared_.selection.wants(arc.label)) return;
+            shared_.arc_count.fetch_add(1, std::memory_order_relaxed);
+            arcs.push_back(std::move(arc));
+        };
+        if (!shared_.selection.is_by_pair()) {
+            output.add_swath = [this](const EdgeTriple& t) {
                 if (shared_.selection.wants(t) && shared_.visited.insert(t)) waiting.push_back(t);
-            });
+            };
         }
-        return number;
+        return output;
     }
     bool goes_on() {
         if ((++asked_ & 63U) != 0) return !shared_.supervisor.is_over();

@@ -83,38 +83,40 @@ std::size_t count_planes(const SceneForms& forms, const std::vector<FaceId>& fac
 
 }  // namespace
 
-FoundNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& run,
-                        const Line& line, SegmentLabel&& label) {
-    FoundNode found;
+SkeletonNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& run,
+                           const Line& line, SegmentLabel&& label) {
+    SkeletonNode node;
     const std::size_t fixed = fixed_places(forms, cut, run).size();
-    std::vector<FaceId> faces;
     for (const FaceId f : touched_faces(forms, label.support)) {
         const Sign sign = line.sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
             return dot(forms.plane<N>(f).n, l.d);
         });
-        if (sign == Sign::zero) faces.push_back(f);
+        if (sign == Sign::zero) node.faces.push_back(f);
     }
-    const std::size_t planes = count_planes(forms, faces);
-    found.node.type = fixed >= 2   ? NodeType::vv
-                      : fixed == 1 ? (planes > 0 ? NodeType::fve : NodeType::vee)
-                      : planes > 1 ? NodeType::ff
-                      : planes > 0 ? NodeType::fee
-                                   : NodeType::eeee;
+    const bool planar = !node.faces.empty();
+    node.type = fixed >= 2   ? NodeType::vv
+                : fixed == 1 ? (planar ? NodeType::fve : NodeType::vee)
+                : planar     ? (count_planes(forms, node.faces) > 1 ? NodeType::ff : NodeType::fee)
+                             : NodeType::eeee;
+    node.label = std::move(label);
+    return node;
+}
+
+void find_near_edges(const SceneForms& forms, const LineCut& cut, const Run& run,
+                     std::vector<NearEdge>& near) {
+    near.clear();
     const auto collinear = cut.collinear_edges();
     for (const Contact& c : cut.contacts()) {
         if (!run.contains(c.place)) continue;
         if (c.feature == Feature::edge) {
-            found.elements.push_back({c.place, EdgeId{c.id}, VertexId::none()});
+            near.push_back({c.place, EdgeId{c.id}, VertexId::none()});
         } else if (c.feature == Feature::vertex) {
             for (const EdgeId e : forms.scene().edges_at(VertexId{c.id})) {
                 if (std::ranges::find(collinear, e) != collinear.end()) continue;
-                found.elements.push_back({c.place, e, VertexId{c.id}});
+                near.push_back({c.place, e, VertexId{c.id}});
             }
         }
     }
-    found.node.faces = std::move(faces);
-    found.node.label = std::move(label);
-    return found;
 }
 
 ArcType arc_type(const Curve& curve, const LineCut& cut, const Run& run,

@@ -309,9 +309,39 @@ std::optional<std::uint32_t> Sweep::node_at(const Curve& curve, const Parameter&
     if (!run) return std::nullopt;
     SegmentLabel label = cut_.label(*run);
     if (unless != nullptr && label == *unless) return std::nullopt;
-    FoundNode found = describe_node(forms_, cut_, *run, line, std::move(label));
-    found.node.root = root_of(curve, t, line, found.node);
-    return output_.add_node(std::move(found));
+    SkeletonNode node = describe_node(forms_, cut_, *run, line, std::move(label));
+    node.root = root_of(curve, t, line, node);
+    const auto [number, is_new] = output_.add_node(std::move(node));
+    if (is_new && output_.add_swath) leave_node(line, *run);
+    return number;
+}
+
+/// Whether the line lies in the plane of two edges that it meets at one point.
+bool Sweep::lies_in_plane(const Line& line, EdgeId a, EdgeId b) const {
+    return line.sign(Predicate::line_form3, [&]<typename N>(const PluckerOf<N>& l) {
+        return dot(cross(forms_.line<N>(a.index()).d, forms_.line<N>(b.index()).d), l.d);
+    }) == Sign::zero;
+}
+
+/// Reports every three edges that lines near a node's may meet in different points. Two edges that end
+/// in one point are met near it, in different points, only by lines in their plane.
+void Sweep::leave_node(const Line& line, const Run& run) {
+    find_near_edges(forms_, cut_, run, near_);
+    const auto go_together = [&](const NearEdge& a, const NearEdge& b) {
+        return a.edge != b.edge && (a.place != b.place || lies_in_plane(line, a.edge, b.edge));
+    };
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            if (!go_together(near_[i], near_[j])) continue;
+            for (std::size_t k = 0; k < j; ++k) {
+                if (near_[i].place == near_[j].place && near_[j].place == near_[k].place) continue;
+                if (!go_together(near_[i], near_[k]) || !go_together(near_[j], near_[k])) continue;
+                std::array edges{near_[i].edge, near_[j].edge, near_[k].edge};
+                std::ranges::sort(edges);
+                output_.add_swath(edges);
+            }
+        }
+    }
 }
 
 }  // namespace sightline::detail

@@ -17,22 +17,20 @@
 
 namespace sightline::detail {
 
-/// A node as it is found, with the edges through whose neighbourhood arcs may leave it.
-struct FoundNode {
-    SkeletonNode node;
-    /// Edges met by lines near the node's: those of its support, and those that end at its vertices.
-    struct Element {
-        std::uint32_t place;
-        EdgeId edge;
-        VertexId vertex;  ///< the end at the node; none when the edge is met inside
-    };
-    std::vector<Element> elements;
+/// An edge that lines near a node's line may meet near one of its places: one of the support, or one that ends
+/// at a support vertex.
+struct NearEdge {
+    std::uint32_t place;
+    EdgeId edge;
+    VertexId vertex;  ///< the end at the node; none when the edge is met inside
 };
 
 /// Receives what a sweep finds.
 struct SweepOutput {
-    /// Returns a number for the node, the same for equal nodes.
-    std::function<std::uint32_t(FoundNode&&)> add_node;
+    /// Returns a number for the node, the same for equal nodes, and whether it is new.
+    std::function<std::pair<std::uint32_t, bool>(SkeletonNode&&)> add_node;
+    /// Three edges, sorted, that lines near a new node may meet in different points.
+    std::function<void(const std::array<EdgeId, 3>&)> add_swath;
     std::function<void(SkeletonArc&&)> add_arc;
 };
 
@@ -77,17 +75,23 @@ private:
     [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> generator_places(
         const Curve& curve) const;
     void find_lonely_nodes(const Curve& curve);
+    void leave_node(const Line& line, const Run& run);
+    [[nodiscard]] bool lies_in_plane(const Line& line, EdgeId a, EdgeId b) const;
 
     const SceneForms& forms_;
     const Policy& policy_;
     SweepOutput output_;
     LineCut cut_;
+    std::vector<NearEdge> near_;
     std::vector<Reach> blocked_;  ///< stays in blocked states, from left to right
 };
 
-/// Type and elements of the node whose line has been cut.
-[[nodiscard]] FoundNode describe_node(const SceneForms& forms, const LineCut& cut, const Run& run,
-                                      const Line& line, SegmentLabel&& label);
+/// The node whose line has been cut, without its root.
+[[nodiscard]] SkeletonNode describe_node(const SceneForms& forms, const LineCut& cut,
+                                         const Run& run, const Line& line, SegmentLabel&& label);
+/// Edges met near the run's places by lines near the cut one.
+void find_near_edges(const SceneForms& forms, const LineCut& cut, const Run& run,
+                     std::vector<NearEdge>& near);
 /// Type of the arc of the curve to which the cut line's run belongs.
 [[nodiscard]] ArcType arc_type(const Curve& curve, const LineCut& cut, const Run& run,
                                const SegmentLabel& label);
