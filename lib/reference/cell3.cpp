@@ -76,8 +76,7 @@ bool lies_in(const ExactLine& line, const Plane& plane) {
            dot(to_surd(plane.normal), line.base) == plane.offset;
 }
 
-// The faces of which the segment touches a vertex or two edges. The plane of one between whose body and another
-// the line ends counts as an edge.
+// The faces of which the segment touches a vertex or two edges.
 std::vector<FaceId> touched_faces(const ExactScene& scene, const Cell& cell) {
     std::vector<FaceId> result;
     const Support& support = cell.label.support;
@@ -87,7 +86,7 @@ std::vector<FaceId> touched_faces(const ExactScene& scene, const Cell& cell) {
             return std::ranges::any_of(
                 ring, [&](VertexId v) { return std::ranges::binary_search(support.vertices, v); });
         });
-        auto edges = std::ranges::count(cell.contact, face);
+        std::ptrdiff_t edges = 0;
         for (const auto* some : {&support.edges, &support.along}) {
             edges += std::ranges::count_if(*some, [&](EdgeId e) {
                 return std::ranges::count(scene.scene[e].faces, face) > 0;

@@ -145,14 +145,13 @@ NodeId* Builder::limit(const Found& arc, std::vector<Event>& event) {
     const auto same =
         std::ranges::find(event, arc.cell, [](const Event& e) { return e.found.cell; });
     if (same != event.end()) return same->node ? &*same->node : nullptr;
-    auto first = std::ranges::find_if(event, [](const Event& e) { return e.node.has_value(); });
-    if (first == event.end()) {
-        first = event.begin();
-        SIGHTLINE_EXPECT(first != event.end() && first->found.freedom.dimension == 1);
-        first->node = node(first->found);
-        corners_.push_back({first->found, *first->node});
+    SIGHTLINE_EXPECT(event.size() == 1);  // else it would be open which one contains the limit
+    Event& end = event.front();
+    if (!end.node) {
+        end.node = node(end.found);
+        corners_.push_back({end.found, *end.node});
     }
-    return &*first->node;
+    return &*end.node;
 }
 
 // Follows the segments of the family from event to event. Where the free segment of the event's line that

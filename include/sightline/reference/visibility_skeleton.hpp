@@ -27,7 +27,7 @@ struct FreeSegment3 {
     friend bool operator==(const FreeSegment3&, const FreeSegment3&) = default;
 };
 
-/// All maximal free segments on a line (semantics 2.4, 3.1, 3.2), in the order of their first ends.
+/// All maximal free segments on a line (semantics 2.4, 3.1, 3.2), in ascending order of t.
 ///
 /// The line is cut at all points where it meets faces, edges and vertices. A piece in between is blocked when it
 /// lies inside a solid, or on the boundaries of several whose cross-sections round the line cover the disc. An
@@ -53,8 +53,6 @@ struct FreeSegment3 {
 ///      that meet two of its edges and another edge e, up to the one through the vertex v that the two share, which
 ///      like its neighbours round v touches v and e only. That segment is a node (FvE), and cuts the arc of its
 ///      neighbours in two; both, like the node, have the same label.
-///  (4) For the type of a node or arc, a face between whose plane and another body the line ends as in (1) has one
-///      edge more in the support, and faces in one plane count as one.
 ///
 /// Cost: O(n³) families of O(n) lines, O(n) exact predicates each.
 [[nodiscard]] VisibilitySkeleton visibility_skeleton(const Scene3& scene);
