@@ -2,8 +2,10 @@
 #include "viz/space_vtk.hpp"
 
 #include <vtkActor.h>
+#include <vtkCameraPass.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDefaultPass.h>
 #include <vtkGlyph3DMapper.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -15,8 +17,10 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "viz/vector_math.hpp"
 
@@ -30,19 +34,73 @@ struct Mesh {
     vtkNew<vtkCellArray> polys;
     vtkNew<vtkUnsignedCharArray> colours;
 
-    Mesh() { colours->SetNumberOfComponents(3); }
+    Mesh() { colours->SetNumberOfComponents(4); }
     vtkIdType point(const Position& p) { return points->InsertNextPoint(p.x, p.y, p.z); }
-    void polygon(std::span<const Position> corners, const Colour& colour) {
+    void polygon(std::span<const Position> corners, const Colour& colour, double opacity) {
         polys->InsertNextCell(static_cast<int>(corners.size()));
         for (const Position& p : corners) polys->InsertCellPoint(point(p));
-        colours->InsertNextTuple3(colour.red, colour.green, colour.blue);
+        paint(colour, opacity);
     }
-    void line(const Position& a, const Position& b, const Colour& colour) {
+    void line(const Position& a, const Position& b, const Colour& colour, double opacity) {
         lines->InsertNextCell(2);
         lines->InsertCellPoint(point(a));
         lines->InsertCellPoint(point(b));
-        colours->InsertNextTuple3(colour.red, colour.green, colour.blue);
+        paint(colour, opacity);
     }
+
+private:
+    void paint(const Colour& colour, double opacity) {
+        colours->InsertNextTuple4(colour.red, colour.green, colour.blue, std::round(255 * opacity));
+    }
+};
+
+/// A small triangle of something translucent.
+struct Pane {
+    std::array<Position, 3> corners;
+    Colour colour;
+    double opacity;
+
+    [[nodiscard]] double depth() const { return corners[0].z + corners[1].z + corners[2].z; }
+};
+
+/// Translucent things are mixed rightly when they are painted from back to front; small triangles can
+/// be sorted by their centres.
+class Panes {
+public:
+    void add(std::span<const Position> convex, const Colour& colour, double opacity) {
+        for (std::size_t i = 2; i < convex.size(); ++i) {
+            split({{convex[0], convex[i - 1], convex[i]}, colour, opacity});
+        }
+    }
+    void paint(Mesh& mesh) {
+        std::ranges::stable_sort(panes_, {}, &Pane::depth);
+        for (const Pane& pane : panes_) mesh.polygon(pane.corners, pane.colour, pane.opacity);
+    }
+
+private:
+    static constexpr double largest_side = 32;  // pixels
+
+    void split(const Pane& pane) {
+        const auto& [a, b, c] = pane.corners;
+        const std::array sides{dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)};
+        const auto longest =
+            static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
+        if (!(sides[longest] > largest_side * largest_side) || panes_.size() > largest_number) {
+            panes_.push_back(pane);
+            return;
+        }
+        const std::size_t next = (longest + 1) % 3;
+        const Position middle = 0.5 * (pane.corners[longest] + pane.corners[next]);
+        Pane first = pane;
+        Pane second = pane;
+        first.corners[next] = middle;
+        second.corners[longest] = middle;
+        split(first);
+        split(second);
+    }
+
+    static constexpr std::size_t largest_number = 2'000'000;
+    std::vector<Pane> panes_;
 };
 
 Colour scaled(const Colour& colour, double by) {
@@ -65,6 +123,11 @@ public:
         add_lines(layer);
         add_balls(layer);
     }
+    void finish() {
+        Mesh mesh;
+        panes_.paint(mesh);
+        add_actor(mesh, 1, true, true);
+    }
     [[nodiscard]] double farthest() const { return farthest_; }
 
 private:
@@ -84,10 +147,20 @@ private:
             if (corners.size() < 3) continue;
             const Position normal =
                 unit(cross(corners[1] - corners[0], corners.back() - corners[0]));
-            mesh.polygon(corners, scaled(layer.style.fill, 0.62 + 0.42 * brightness(normal)));
+            add_area(mesh, corners, scaled(layer.style.fill, 0.62 + 0.42 * brightness(normal)),
+                     layer.style.fill_opacity);
         }
         // Lines in a face would be half hidden by it.
-        add_actor(mesh, layer.style.fill_opacity, 1, true);
+        add_actor(mesh, 1, true, layer.style.fill_opacity < 1);
+    }
+
+    void add_area(Mesh& mesh, std::span<const Position> corners, const Colour& colour,
+                  double opacity) {
+        if (opacity < 1 && !options_.zoomable) {
+            panes_.add(corners, colour, opacity);
+        } else {
+            mesh.polygon(corners, colour, opacity);
+        }
     }
 
     void add_lines(const Layer& layer) {
@@ -110,11 +183,11 @@ private:
         for (std::size_t i = 0; i + 1 < layer.segments.size(); i += 2) {
             line(layer.segments[i], layer.segments[i + 1]);
         }
-        add_actor(mesh, style.opacity, std::max(1.0, style.width * options_.scale), false);
+        add_actor(mesh, std::max(1.0, style.width * options_.scale), false, style.opacity < 1);
     }
 
-    void add_line(Mesh& mesh, Position a, Position b, const Style& style) const {
-        if (options_.zoomable) return mesh.line(a, b, style.colour);
+    void add_line(Mesh& mesh, Position a, Position b, const Style& style) {
+        if (options_.zoomable) return mesh.line(a, b, style.colour, style.opacity);
         const double length = std::hypot(b.x - a.x, b.y - a.y);
         if (length == 0) return;
         const double half = style.width / 2;
@@ -128,7 +201,7 @@ private:
                                     {a.x + y, a.y - x, a.z},
                                     {b.x + y, b.y - x, b.z},
                                     {b.x - y, b.y + x, b.z}};
-        mesh.polygon(corners, style.colour);
+        add_area(mesh, corners, style.colour, style.opacity);
     }
 
     void add_balls(const Layer& layer) {
@@ -158,7 +231,7 @@ private:
         renderer_->AddActor(actor);
     }
 
-    void add_actor(const Mesh& mesh, double opacity, double line_width, bool behind_lines) {
+    void add_actor(const Mesh& mesh, double line_width, bool behind_lines, bool translucent) {
         if (mesh.points->GetNumberOfPoints() == 0) return;
         vtkNew<vtkPolyData> data;
         data->SetPoints(mesh.points);
@@ -171,16 +244,24 @@ private:
         mapper->SetColorModeToDirectScalars();
         if (behind_lines) {
             mapper->SetResolveCoincidentTopologyToPolygonOffset();
-            mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(3 * options_.scale, 2);
+            // Translucent things in an opaque face are seen.
+            const double factor = translucent ? 1 : 3;
+            mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(factor * options_.scale,
+                                                                         translucent ? 1 : 4);
         }
         vtkNew<vtkActor> actor;
         actor->SetMapper(mapper);
-        actor->GetProperty()->SetOpacity(opacity);
+        if (translucent) {
+            actor->ForceTranslucentOn();
+        } else {
+            actor->ForceOpaqueOn();
+        }
         actor->GetProperty()->SetLineWidth(static_cast<float>(line_width));
         actor->GetProperty()->LightingOff();
         renderer_->AddActor(actor);
     }
 
+    Panes panes_;
     vtkRenderer* renderer_;
     const std::function<Position(const Position&)>& to_world_;
     SpaceOptions options_;
@@ -199,11 +280,20 @@ double brightness(const Position& normal) {
 double add_space(vtkRenderer* renderer, const DrawList& list,
                  const std::function<Position(const Position&)>& to_world,
                  const SpaceOptions& options) {
-    renderer->SetUseDepthPeeling(1);
-    renderer->SetMaximumNumberOfPeels(32);
-    renderer->SetOcclusionRatio(0);
+    if (options.zoomable) {
+        // What is behind changes as the camera turns.
+        renderer->SetUseDepthPeeling(1);
+        renderer->SetMaximumNumberOfPeels(8);
+        renderer->SetOcclusionRatio(0.001);
+    } else {
+        vtkNew<vtkDefaultPass> in_order;
+        vtkNew<vtkCameraPass> pass;
+        pass->SetDelegatePass(in_order);
+        renderer->SetPass(pass);
+    }
     Space space(renderer, to_world, options);
     for (const Layer& layer : list.layers) space.add(layer);
+    space.finish();
     return space.farthest();
 }
 
