@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <span>
 #include <string>
 
 #include "sightline/event/catalogue.hpp"
+#include "sightline/skeleton/geometry.hpp"
 #include "sightline/viz/draw.hpp"
 #include "viz/vector_math.hpp"
 
@@ -21,59 +23,56 @@ constexpr std::array arc_types{ArcType::ev, ArcType::eee, ArcType::fv, ArcType::
 constexpr std::array node_types{NodeType::vv,  NodeType::vee, NodeType::eeee,
                                 NodeType::fve, NodeType::fee, NodeType::ff};
 
-RationalPoint3 place(VertexId v, const Scene3& scene) { return to_rational(scene[v]); }
-
-/// The line of a node's support, if that fixes one.
-std::optional<SurdLine3> own_line(const SkeletonNode& node, const Scene3& scene) {
-    const std::vector<SurdLine3> lines = lines_of(node.label.support, scene);
-    const std::size_t index = node.root == Root::second ? 1 : 0;
-    if (index < lines.size()) return lines[index];
-    return std::nullopt;
-}
-
-/// The line of a swath in which an arc in it ends at the node.
-std::optional<SurdLine3> line_in(const Swath& swath, const SkeletonNode& node,
-                                 const Scene3& scene) {
-    const auto own = own_line(node, scene);
-    if (own) return swath.contains(*own) ? own : std::nullopt;
-    for (const VertexId v : node.label.support.vertices) {
-        if (swath.all_pass(place(v, scene))) continue;
-        if (const auto line = swath.line_through(place(v, scene))) return to_surd(*line);
+/// Where all lines of an arc meet, some of which are given.
+std::optional<Position> centre_of(const SkeletonArc& arc, std::span<const RationalLine3> lines,
+                                  const Scene3& scene) {
+    for (const EventFamily& family : families_keeping(arc.label.support, scene)) {
+        const auto is_in = [&](const RationalLine3& l) { return family.swath.contains(l); };
+        if (family.swath.kind() != SwathKind::pencil || !std::ranges::all_of(lines, is_in))
+            continue;
+        const Vector3& c = family.swath.centre().p;
+        return Position{c.x.approx_double(), c.y.approx_double(), c.z.approx_double()};
     }
     return std::nullopt;
 }
 
-/// The swaths that an arc may lie in: that of its type first.
-std::vector<Swath> swaths_of_arc(const SkeletonArc& arc, const Scene3& scene) {
-    std::vector<EventFamily> families = families_keeping(arc.label.support, scene);
-    std::ranges::stable_partition(
-        families, [&](const EventFamily& f) { return name_of(f.kind) == name_of(arc.type); });
-    std::vector<Swath> swaths;
-    for (EventFamily& f : families) swaths.push_back(std::move(f.swath));
-    return swaths;
-}
-
-/// Where a line meets an edge, from 0 at its source to 1 at its target.
-double parameter_on(const SurdLine3& line, EdgeId e, const Scene3& scene) {
-    const SurdVector3 source = to_surd(vector_to(place(scene[e].source, scene)));
-    const SurdVector3 along = to_surd(vector_to(place(scene[e].target, scene))) - source;
-    const SurdVector3 from_source = line.m - cross(source, line.d);
-    const SurdVector3 turning = cross(along, line.d);
-    // (source + t along) × d = m, measured along the direction in which it changes.
-    return (dot(from_source, turning) / dot(turning, turning)).approx_double();
-}
-
-/// An edge of the support along which the swath's lines can be counted.
-std::optional<EdgeId> guide_of(const Swath& swath, const Support& support,
-                               std::span<const SurdLine3> ends, const Scene3& scene) {
-    for (const EdgeId e : support.edges) {
-        const RationalLine3 l = carrier(e, scene);
-        if (!swath.is_regulus() && (is_on(l, swath.centre()) || swath.contains(l))) continue;
-        const bool is_parallel = std::ranges::any_of(
-            ends, [&](const SurdLine3& end) { return cross(to_surd(l.d), end.d).is_zero(); });
-        if (!is_parallel && swath.all_meet(l)) return e;
+/// The line of a node, among those that its support and its faces allow.
+std::optional<SurdLine3> line_of(const SkeletonNode& node, const Scene3& scene,
+                                 SkeletonGeometry& geometry) {
+    const LineFamilies all = families_of(node.label.support, scene);
+    for (const FaceId f : node.faces) {
+        for (const Swath& swath : all.swaths) {
+            if (swath.is_regulus()) continue;
+            const RationalLine3 line = sightline::line_of(swath.plane(), plane_of(f, scene));
+            if (line.is_line() && swath.contains(line)) return scaled(to_surd(line));
+        }
     }
-    return std::nullopt;
+    return geometry.line(node);
+}
+
+RuledSurface surface_of(const VisibilitySkeleton& skeleton, ArcId id, const Scene3& scene,
+                        SkeletonGeometry& geometry, unsigned count, const Box& box) {
+    const SkeletonArc& arc = skeleton[id];
+    RuledSurface surface;
+    const auto add = [&](const SurdLine3& line) {
+        auto piece = approx_piece(line, arc.label, scene, box);
+        if (!piece) return;
+        const auto runs_back = [&](const LinePiece& before) {
+            return dot(piece->to - piece->from, before.to - before.from) < 0;
+        };
+        if (!surface.lines.empty() && runs_back(surface.lines.back())) {
+            std::swap(piece->from, piece->to);
+        }
+        surface.lines.push_back(*piece);
+    };
+    const auto first = line_of(skeleton[arc.nodes[0]], scene, geometry);
+    const auto last = line_of(skeleton[arc.nodes[1]], scene, geometry);
+    const std::vector<RationalLine3> inner = geometry.lines(skeleton, id, count - 2);
+    if (first) add(*first);
+    for (const RationalLine3& line : inner) add(to_surd(line));
+    if (last) add(*last);
+    if (!inner.empty()) surface.centre = centre_of(arc, inner, scene);
+    return surface;
 }
 
 /// The types that occur, each with its layer; empty ones are left out in the end.
@@ -135,6 +134,7 @@ void add_arcs(DrawList& list, const Scene3& scene, const VisibilitySkeleton& ske
               .order = PaintOrder::views + 1,
               .style = {.colour = colour, .width = 0.8, .opacity = std::min(1.0, 2 * opacity)}}});
     }
+    SkeletonGeometry geometry(scene);
     std::size_t left_out = 0;
     for (const ArcId a : arcs) {
         const RuledSurface surface = approx_surface(skeleton, a, scene, options.lines_per_arc, box);
@@ -167,8 +167,9 @@ void add_nodes(DrawList& list, const Scene3& scene, const VisibilitySkeleton& sk
                                .order = PaintOrder::paths,
                                .style = {.colour = colour_of(type), .width = 2.4}}});
     }
+    SkeletonGeometry geometry(scene);
     for (const NodeId n : nodes_of(skeleton, options)) {
-        const auto line = line_of(skeleton, n, scene);
+        const auto line = line_of(skeleton[n], scene, geometry);
         const auto piece = line ? approx_piece(*line, skeleton[n].label, scene, box) : std::nullopt;
         if (!piece) continue;
         Layer& layer = layers[skeleton[n].type];
@@ -212,69 +213,16 @@ Colour colour_of(NodeType type) noexcept {
     return Palette::black;
 }
 
-std::optional<SurdLine3> line_of(const VisibilitySkeleton& skeleton, NodeId node,
-                                 const Scene3& scene) {
-    if (auto line = own_line(skeleton[node], scene)) return line;
-    for (const ArcId a : skeleton.arcs_at(node)) {
-        for (const Swath& swath : swaths_of_arc(skeleton[a], scene)) {
-            if (auto line = line_in(swath, skeleton[node], scene)) return line;
-        }
-    }
-    return std::nullopt;
-}
-
-RuledSurface approx_surface(const Swath& swath, const SurdLine3& first, const SurdLine3& last,
-                            EdgeId guide, const SegmentLabel& label, const Scene3& scene,
-                            unsigned count, const Box& box) {
-    const LineCurve3 curve =
-        swath.along(place(scene[guide].source, scene), place(scene[guide].target, scene));
-    const double from = parameter_on(first, guide, scene);
-    const double to = parameter_on(last, guide, scene);
-    RuledSurface surface;
-    const auto add = [&](const SurdLine3& line) {
-        if (line.d.is_zero()) return;
-        auto piece = approx_piece(line, label, scene, box);
-        if (!piece) return;
-        const auto runs_back = [&](const LinePiece& before) {
-            return dot(piece->to - piece->from, before.to - before.from) < 0;
-        };
-        if (!surface.lines.empty() && runs_back(surface.lines.back())) {
-            std::swap(piece->from, piece->to);
-        }
-        surface.lines.push_back(*piece);
-    };
-    add(first);
-    for (unsigned i = 1; i + 1 < count; ++i) {
-        const double share = static_cast<double>(i) / (count - 1);
-        add(to_surd(curve.at(Rational(from * (1 - share) + to * share))));
-    }
-    add(last);
-    if (swath.kind() == SwathKind::pencil) {
-        const Vector3& c = swath.centre().p;
-        surface.centre = Position{c.x.approx_double(), c.y.approx_double(), c.z.approx_double()};
-    }
-    return surface;
-}
-
 RuledSurface approx_surface(const VisibilitySkeleton& skeleton, ArcId arc, const Scene3& scene,
                             unsigned count, const Box& box) {
-    const SkeletonArc& shown = skeleton[arc];
-    for (const Swath& swath : swaths_of_arc(shown, scene)) {
-        std::vector<SurdLine3> ends;
-        for (const NodeId n : shown.nodes) {
-            if (auto line = line_in(swath, skeleton[n], scene)) ends.push_back(std::move(*line));
-        }
-        if (ends.size() != 2) continue;
-        const auto guide = guide_of(swath, shown.label.support, ends, scene);
-        if (!guide) continue;
-        return approx_surface(swath, ends[0], ends[1], *guide, shown.label, scene, count, box);
-    }
-    return {};
+    SIGHTLINE_EXPECT(count >= 3);
+    SkeletonGeometry geometry(scene);
+    return surface_of(skeleton, arc, scene, geometry, count, box);
 }
 
 void add_skeleton(DrawList& list, const Scene3& scene, const VisibilitySkeleton& skeleton,
                   const SkeletonDrawOptions& options) {
-    SIGHTLINE_EXPECT(options.lines_per_arc >= 2);
+    SIGHTLINE_EXPECT(options.lines_per_arc >= 3);
     const Box box = list.view.is_empty() ? box_around(scene, options.margin) : list.view;
     add_arcs(list, scene, skeleton, options, box);
     add_nodes(list, scene, skeleton, options, box);

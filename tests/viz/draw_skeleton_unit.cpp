@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "sightline/event/critical_line.hpp"
 #include "sightline/skeleton/build.hpp"
+#include "sightline/skeleton/geometry.hpp"
 #include "support/scenes3.hpp"
 #include "viz/vector_math.hpp"
 
@@ -108,7 +110,9 @@ TEST_F(SkeletonOfThreeBodies, LinesOfArcsMeetTheirGenerators) {
                             0, 1e-8);
             }
             if (surface.centre) {
-                EXPECT_NEAR(distance(*surface.centre, piece.from, piece.to), 0, 1e-8);
+                EXPECT_NEAR(distance(*surface.centre, piece.from, piece.to), 0, 1e-8)
+                    << name_of(arc.type) << ' ' << arc.label << " between "
+                    << skeleton[arc.nodes[0]].label << " and " << skeleton[arc.nodes[1]].label;
             }
         }
     }
@@ -190,15 +194,13 @@ TEST_F(SkeletonOfThreeBodies, SurfaceBeginsAndEndsWithTheNodesLines) {
         const RuledSurface surface = approx_surface(skeleton, ArcId{a}, scene, 3, box);
         ASSERT_FALSE(surface.lines.empty());
         const auto& nodes = skeleton[ArcId{a}].nodes;
-        if (skeleton[nodes[0]].type == NodeType::fve || skeleton[nodes[1]].type == NodeType::fve)
-            continue;  // may share a label with another line
         const std::array pieces{surface.lines.front(), surface.lines.back()};
         for (std::size_t i = 0; i < 2; ++i) {
-            const auto own = line_of(skeleton, nodes[i], scene);
-            ASSERT_TRUE(own);
-            const auto whole = approx_piece(*own, {}, scene, box);
+            if (lines_of(skeleton[nodes[i]].label.support, scene).empty()) continue;
+            const auto whole = approx_piece(plucker(scene, skeleton[nodes[i]]), {}, scene, box);
             ASSERT_TRUE(whole);
-            EXPECT_NEAR(distance(pieces[i].from, whole->from, whole->to), 0, 1e-7);
+            EXPECT_NEAR(distance(pieces[i].from, whole->from, whole->to), 0, 1e-7)
+                << skeleton[nodes[i]].label << " of " << skeleton[ArcId{a}].label;
             EXPECT_NEAR(distance(pieces[i].to, whole->from, whole->to), 0, 1e-7);
         }
     }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sightline/event/swath.hpp"
+#include "sightline/geom/plucker.hpp"
 #include "sightline/skeleton/visibility_skeleton.hpp"
 #include "sightline/viz/draw3.hpp"
 
@@ -18,7 +18,7 @@ struct SkeletonDrawOptions {
     std::optional<std::vector<ArcId>> arcs{};
     /// Which nodes are drawn; empty: all, or with `arcs` given the nodes at their ends.
     std::optional<std::vector<NodeId>> nodes{};
-    /// Of an arc, so many lines are drawn as a surface; at least 2.
+    /// Of an arc, so many lines are drawn as a surface; at least 3.
     unsigned lines_per_arc = 33;
     /// How far beyond the scene, in parts of its longest side, lines without an end are drawn.
     double margin = 0.3;
@@ -55,11 +55,6 @@ struct LinePiece {
                                                     const SegmentLabel& label, const Scene3& scene,
                                                     const Box& box);
 
-/// The node's line: exact; the swath of one of its arcs helps where its support leaves it open. Empty when
-/// nothing fixes it.
-[[nodiscard]] std::optional<SurdLine3> line_of(const VisibilitySkeleton& skeleton, NodeId node,
-                                               const Scene3& scene);
-
 /// Lines of one family, one after the other, all the same way round.
 struct RuledSurface {
     std::vector<LinePiece> lines{};
@@ -67,15 +62,8 @@ struct RuledSurface {
     std::optional<Position> centre{};
 };
 
-/// Lines of a swath between two of them, the first and the last, evenly spread along an edge that all meet:
-/// each as a piece with the label.
-[[nodiscard]] RuledSurface approx_surface(const Swath& swath, const SurdLine3& first,
-                                          const SurdLine3& last, EdgeId guide,
-                                          const SegmentLabel& label, const Scene3& scene,
-                                          unsigned count, const Box& box);
-
-/// The lines of an arc, from one node's line to the other's. Empty when the arc's ends can't be placed on
-/// one swath.
+/// Lines of an arc, from one node's to the other's, as pieces with the arc's label. Empty when nothing of them
+/// is in the box.
 [[nodiscard]] RuledSurface approx_surface(const VisibilitySkeleton& skeleton, ArcId arc,
                                           const Scene3& scene, unsigned count, const Box& box);
 
