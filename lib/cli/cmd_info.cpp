@@ -4,6 +4,7 @@
 
 #include "cli/document.hpp"
 #include "cli/exact_json.hpp"
+#include "cli/info3.hpp"
 #include "cli/program.hpp"
 #include "sightline/scene/info2.hpp"
 #include "sightline/viz/draw.hpp"
@@ -91,6 +92,8 @@ Result<ExitStatus> run_info(const InfoArguments& arguments, Session& session) {
     if (const auto checked = check_outputs(arguments.outputs, arguments.scene); !checked) {
         return tl::unexpected(checked.error());
     }
+    if (names_meshes(arguments.scene))
+        return run_info3(arguments.scene, arguments.outputs, session);
     const Result<LoadedScene> loaded = load_scene(arguments.scene, session);
     if (!loaded) return tl::unexpected(loaded.error());
     const SceneInfo2 info =
@@ -119,6 +122,10 @@ void add_info(Program& program) {
                     "sightline info coast.geojson --world --repair",
                     [arguments](Session& session) { return run_info(*arguments, session); });
     add_scene_arguments(app, arguments->scene);
+    app.get_option("SCENE")->description(
+        "WKT, GeoJSON or text files, Doom maps as FILE.wad:MAP; or OFF, OBJ, PLY or STL files, a "
+        "mesh each; - is standard input");
+    add_sheet_arguments(app, arguments->scene);
     add_output_arguments(app, arguments->outputs);
     app.get_option("--output")->description("JSON; without any output, text on standard output");
 }

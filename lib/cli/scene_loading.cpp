@@ -10,6 +10,7 @@
 #include "sightline/scene/doom.hpp"
 #include "sightline/scene/mesh_io.hpp"
 #include "sightline/scene/repair2.hpp"
+#include "sightline/scene/repair3.hpp"
 #include "sightline/scene/scene_io.hpp"
 
 namespace sightline::detail {
@@ -132,6 +133,13 @@ Result<LoadedScene3> load_scene3(const SceneArguments& arguments, Session& sessi
     return session.timed("read", "reading", [&]() -> Result<LoadedScene3> {
         Result<SceneInput3> input = load_meshes(arguments);
         if (!input) return tl::unexpected(input.error());
+        if (arguments.repair) {
+            Result<RepairedScene3> repaired = repair(*input);
+            if (!repaired) return tl::unexpected(repaired.error());
+            for (const std::string& change : repaired->changes) session.note("repair: " + change);
+            return LoadedScene3{std::move(repaired->scene), std::move(repaired->input), arguments,
+                                std::move(repaired->changes)};
+        }
         Result<Scene3> scene = Scene3::make(*input);
         if (!scene) return tl::unexpected(scene.error());
         return LoadedScene3{std::move(*scene), std::move(*input), arguments, {}};

@@ -67,7 +67,8 @@ public:
         for (std::uint32_t r = 0; r < rays_.size(); ++r)
             if ((report.fault = check_ray(r))) return report;
         if ((report.fault = check_nesting())) return report;
-        report.is_regular = is_regular_;
+        report.is_regular = is_simple_ && is_regular_;
+        report.is_simple = is_simple_;
         return report;
     }
 
@@ -224,7 +225,7 @@ private:
 
     void collect_half_arcs() {
         half_arcs_.resize(rays_.size());
-        is_regular_ = is_regular_ && passes_.empty();
+        is_simple_ = passes_.empty();
         for (std::uint32_t i = 0; i < arcs_.size(); ++i) {
             const Arc& arc = arcs_[i];
             const int weight = arc.is_sheet ? 0 : 1;
@@ -273,7 +274,7 @@ private:
         const bool solids_only =
             std::none_of(round.begin(), round.end(), [](const HalfArc& h) { return h.step == 0; });
         if (solids_only && round.size() == 2) return std::nullopt;
-        is_regular_ = is_regular_ && !solids_only;
+        is_simple_ = is_simple_ && !solids_only;
         sort_round(ray, round);
         int count = 0;
         int least = 0;
@@ -322,7 +323,7 @@ private:
         for (std::uint32_t i = 0; i < arcs_.size(); ++i)
             arcs_of[loops.root(arcs_[i].from)].push_back(i);
         if (arcs_of.size() <= 1) return std::nullopt;
-        is_regular_ = false;
+        is_simple_ = false;
         for (const P& r : rays_) vectors_.push_back(difference(as_rational(r), as_rational(apex_)));
         const auto has_solid = [&](const std::vector<std::uint32_t>& arcs) {
             return std::any_of(arcs.begin(), arcs.end(),
@@ -423,7 +424,8 @@ private:
     std::vector<Arc> arcs_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> passes_;  ///< ray inside of an arc
     std::vector<std::vector<HalfArc>> half_arcs_;                  ///< a ray
-    bool is_regular_ = true;
+    bool is_regular_ = true;  ///< as far as corners tell
+    bool is_simple_ = true;
 };
 
 }  // namespace

@@ -40,6 +40,8 @@ struct ConeReport {
     std::optional<ConeFault> fault;
     /// The triangles are one fan round one common vertex (solids: a closed one), and touch nowhere else.
     bool is_regular = false;
+    /// The triangles are one piece of surface that does not touch itself in the point, wherever on it that is.
+    bool is_simple = false;
 };
 
 /// The triangles are all those of the scene that contain the point.

@@ -75,7 +75,7 @@ private:
         if (!text_.integer(number)) return false;
         const std::int64_t index = number < 0 ? known + number : number - 1;
         if (number == 0 || index < 0 || index >= 0xffff'fff0)
-            return cursor_.refuse(
+            return text_.refuse_number(
                 Errc::unknown_vertex,
                 fmt::format("vertex {} of {} so far; numbers start at 1, or at -1 "
                             "for the last vertex",

@@ -81,8 +81,8 @@ private:
     bool count(std::int64_t& value, std::string_view what) {
         if (!text_.integer(value)) return false;
         if (value < 0 || value > largest_count)
-            return cursor_.refuse(Errc::syntax,
-                                  fmt::format("{} {}: give a number from 0 to 2^32", value, what));
+            return text_.refuse_number(
+                Errc::syntax, fmt::format("{} {}: give a number from 0 to 2^32", value, what));
         return true;
     }
 
@@ -123,7 +123,7 @@ private:
             std::int64_t v = 0;
             if (!text_.count() || !text_.integer(v)) return false;
             if (v < 0 || v >= vertices_)
-                return cursor_.refuse(
+                return text_.refuse_number(
                     Errc::unknown_vertex,
                     fmt::format("face {} names vertex {}, but there are {} vertices "
                                 "(the first is 0); correct the number",

@@ -31,7 +31,13 @@ bool MeshText::integer(std::int64_t& value) {
     if (next != '/' && next != '#' && next != ' ' && (next < '\t' || next > '\r'))
         return cursor_.refuse(Errc::syntax, "expected a whole number, " + cursor_.found());
     cursor_.advance(used);
+    last_number_ = used;
     return true;
+}
+
+bool MeshText::refuse_number(Errc code, std::string_view what) {
+    cursor_.retreat(last_number_);
+    return cursor_.refuse(code, what);
 }
 
 bool MeshText::count() {

@@ -34,6 +34,8 @@ public:
     void skip_line();
     /// Takes a whole number.
     bool integer(std::int64_t& value);
+    /// Notes an error at the number that was taken last. Returns false.
+    bool refuse_number(Errc code, std::string_view what);
     /// Takes three coordinates that stand on this line as the next vertex.
     bool vertex();
     /// Counts one more vertex, face or corner.
@@ -44,6 +46,7 @@ private:
     ReadOptions read_options_;
     std::size_t max_elements_;
     std::size_t elements_ = 0;
+    std::size_t last_number_ = 0;  ///< its length
     TextCursor cursor_;
     MeshInput3 mesh_;
 };

@@ -33,6 +33,8 @@ public:
     [[nodiscard]] char peek() const noexcept { return at_end() ? '\0' : text_[at_]; }
     [[nodiscard]] std::string_view rest() const noexcept { return text_.substr(at_); }
     void advance(std::size_t n) noexcept { at_ += n; }
+    /// Goes back, within the line.
+    void retreat(std::size_t n) noexcept { at_ -= n; }
     /// Skips blanks and line ends.
     void skip_space() noexcept;
     /// Skips blanks but not line ends.
