@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "event/pencil.hpp"
 #include "event/scaled_segments.hpp"
 #include "event/swath_polynomials.hpp"
 
@@ -64,6 +65,19 @@ Number volume_of(const Ends<Number>& i, const Ends<Number>& j) {
     return detail::volume(i.source, i.target, j.source, j.target);
 }
 
+// Whether two coplanar elements on different lines have no point in common: then what meets both
+// lies in their plane.
+bool lie_apart_in_a_plane(const TransversalElement& a, const TransversalElement& b) {
+    const RationalLine3 first = a.carrier(), second = b.carrier();
+    if (!first.is_line() || !second.is_line()) return false;
+    if (is_on(first, b.source()) && is_on(first, b.target())) return false;
+    const auto meeting = meeting_point(first, second);
+    if (!meeting.is_finite()) return true;
+    const Vector3 v = meeting.divided();
+    const RationalPoint3 p{v.x, v.y, v.z};
+    return !(detail::holds(a, p) && detail::holds(b, p));
+}
+
 class Batch {
 public:
     Batch(std::span<const RationalSegment3> segments, const TransversalOptions& options)
@@ -88,9 +102,12 @@ public:
 private:
     void find_coplanar() {
         coplanar_.assign(n_ * n_, true);
+        apart_.assign(n_ * n_, false);
         for (std::size_t i = 0; i < n_; ++i) {
             for (std::size_t j = i + 1; j < n_; ++j) {
                 coplanar_[i * n_ + j] = coplanar_[j * n_ + i] = is_coplanar(i, j);
+                if (!coplanar_[i * n_ + j] || options_.arithmetic != Arithmetic::filtered) continue;
+                apart_[i * n_ + j] = lie_apart_in_a_plane(elements_[i], elements_[j]);
             }
         }
     }
@@ -181,7 +198,31 @@ private:
                               tier);
             }
         }
+        if (is_one_beside_the_plane_of_two(s)) return count(Tier::filter);
         general(s);
+    }
+
+    // Whether a segment certainly misses a plane in which all lines lie that meet two others.
+    [[nodiscard]] bool is_one_beside_the_plane_of_two(const SegmentSupport& s) const {
+        for (const std::uint32_t a : s) {
+            for (const std::uint32_t b : s) {
+                if (a >= b || !apart_[a * n_ + b]) continue;
+                for (const std::uint32_t c : s) {
+                    if (c != a && c != b && is_beside_plane(a, b, c)) return true;
+                }
+            }
+        }
+        return false;
+    }
+    // Whether c lies strictly on one side of the plane of a and b, by doubles with a bound.
+    [[nodiscard]] bool is_beside_plane(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+        const auto& e = scaled_.bounded;
+        for (const auto& p : {e[b].source, e[b].target}) {
+            const auto from = detail::volume(e[a].source, e[a].target, p, e[c].source).sign();
+            const auto to = detail::volume(e[a].source, e[a].target, p, e[c].target).sign();
+            if (from && to && *from * *to == Sign::positive) return true;
+        }
+        return false;
     }
 
     [[nodiscard]] Verdict interval_of(const SegmentSupport& t) const {
@@ -266,6 +307,7 @@ private:
     std::size_t n_;
     std::vector<TransversalElement> elements_;
     std::vector<bool> coplanar_;
+    std::vector<bool> apart_;  // of coplanar ones, those without a common point
     SegmentTransversals result_;
     std::optional<Error> error_;
     std::size_t general_calls_ = 0;

@@ -283,6 +283,10 @@ private:
             if (line.is_line()) return scaled(line);
             return RationalLine3{{}, scaled_plane(plane(all[1])).normal};
         };
+        // The fourth line meets all of the others' lines or two of them.
+        for (int t = 0; t < 3 && all.size() == 4; ++t) {
+            if (!is_zero(side(walk.line(Rational(t)), all[3]))) return;
+        }
         walk.critical.push_back(std::nullopt);
         for (std::size_t i = 0; i < all.size(); ++i) {
             for (const RationalPoint3& p : ends_) {
@@ -397,12 +401,15 @@ private:
         if (std::ranges::any_of(elements_, [](const auto& e) { return e.kind() == Kind::point; })) {
             return;
         }
-        std::set<RationalLine3> corners;
+        std::set<RationalLine3> corners;  // some may be parallel to line elements
         for (const RationalPoint3& p : ends_) {
             for (const RationalPoint3& q : ends_) {
                 if (!(p < q)) continue;
                 const RationalLine3 l = scaled(line_through(p, q));
-                if (meets_all(l)) corners.insert(l);
+                const bool is_corner = std::ranges::all_of(elements_, [&](const auto& e) {
+                    return e.kind() == Kind::line || meets(l, e);
+                });
+                if (is_corner) corners.insert(l);
             }
         }
         find_samples(plane, {corners.begin(), corners.end()});
@@ -410,10 +417,11 @@ private:
         c.kind = Family::plane;
         c.plane = plane;
         for (const RationalLine3& l : corners) {
+            if (!meets_all(l)) continue;
+            pool_.insert(l);
             if (touches_region(plane, l)) c.extremal.push_back(l);
         }
         if (!samples_[plane].empty()) add(std::move(c));
-        pool_.insert(corners.begin(), corners.end());
     }
 
     void add(Family kind, const RationalPoint3& x, const std::optional<Plane3>& plane) {

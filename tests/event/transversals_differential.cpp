@@ -87,6 +87,21 @@ TEST(TransversalsDifferential, RangesThatBeginAtOneMissingLine) {
     }
 }
 
+// Found by long runs: an isolated line in the middle of what might be a range, and planes whose
+// corners are parallel to a line element.
+TEST(TransversalsDifferential, ASampleOfAFamilyIsNotYetAFamily) {
+    for (const char* text : {"segment 0 0 2, 1 1 0 | segment 1 0 0, 0 1 1 | segment 1 3 1, 3 1 3 | "
+                             "segment 3 0 2, 0 3 1",
+                             "segment 0 1 0, 1 1 1 | line 0 1 0, 0 0 0 | segment 1 0 1, 1 1 1",
+                             "line 1 2 2, 1 2 1 | segment 1 0 2, 1 1 1 | segment 1 0 0, 1 1 1",
+                             "segment 0 1 1, 2 1 2 | segment 0 1 0, 1 1 1 | segment 1 1 0, 2 1 1 | "
+                             "line 2 1 0, 0 1 0"}) {
+        const Elements all = testing::elements(text);
+        EXPECT_TRUE(testing::same_transversals(transversals(all), reference::transversals(all)))
+            << text;
+    }
+}
+
 TEST(TransversalsDifferential, FewerElements) {
     Coverage coverage;
     for (int count = 1; count <= 3; ++count) {
