@@ -75,6 +75,9 @@ void add_picture_arguments(CLI::App& app, PictureArguments& arguments) {
                    "of space: the direction towards the eye; 1,-1,1 unless given")
         ->type_name("X,Y,Z");
     app.add_flag("--see-through", arguments.camera.see_through, "of space: solids like glass");
+    app.add_option("--arcs", arguments.arcs,
+                   "of skeletons: only arcs of these types, or with these numbers")
+        ->type_name("LIST");
 }
 
 }  // namespace

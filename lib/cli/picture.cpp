@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/scene_loading.hpp"
+#include "cli/skeleton_file.hpp"
 
 namespace sightline::detail {
 namespace {
@@ -45,9 +46,25 @@ Result<void> add_result(viz::DrawList& list, const Scene2& scene, const ResultFi
     return {};
 }
 
-/// The scene of space that the files are.
-Result<viz::DrawList> load_space(const SceneArguments& scene, const PictureArguments& arguments,
-                                 Session& session) {
+Result<void> add_result(viz::DrawList& list, const Scene3& scene, const ResultFile& result,
+                        const PictureArguments& arguments) {
+    if (result.kind != "visibility_skeleton") {
+        return fail(Errc::unsupported, result.path + ": results of the kind '" + result.kind +
+                                           "' are not drawn in scenes of space; name a skeleton");
+    }
+    const Result<VisibilitySkeleton> skeleton = skeleton_of(result.skeleton, scene, result.path);
+    if (!skeleton) return tl::unexpected(skeleton.error());
+    viz::SkeletonDrawOptions options;
+    if (const auto chosen = choose_arcs(arguments.arcs, *skeleton, options); !chosen) {
+        return chosen;
+    }
+    viz::add_skeleton(list, scene, *skeleton, options);
+    return {};
+}
+
+/// The scene of space that the files are, with everything that the results say.
+Result<viz::DrawList> load_space(const SceneArguments& scene, std::span<const ResultFile> results,
+                                 const PictureArguments& arguments, Session& session) {
     Result<viz::DrawOptions3> options = options_of(arguments.camera);
     if (!options) return tl::unexpected(options.error());
     options->title = arguments.title;
@@ -55,7 +72,14 @@ Result<viz::DrawList> load_space(const SceneArguments& scene, const PictureArgum
     options->vertex_labels = arguments.labels;
     const Result<LoadedScene3> loaded = load_scene3(scene, session);
     if (!loaded) return tl::unexpected(loaded.error());
-    return session.timed("build", "drawing", [&] { return viz::draw(loaded->scene, *options); });
+    return session.timed("build", "drawing", [&]() -> Result<viz::DrawList> {
+        viz::DrawList list = viz::draw(loaded->scene, *options);
+        for (const ResultFile& result : results) {
+            const auto added = add_result(list, loaded->scene, result, arguments);
+            if (!added) return tl::unexpected(added.error());
+        }
+        return list;
+    });
 }
 
 }  // namespace
@@ -115,12 +139,7 @@ Result<viz::DrawList> load_picture(const PictureArguments& arguments, Session& s
         return fail(Errc::bad_parameter, "only results are named; name their scene too");
     }
     if (names_meshes(scene)) {
-        if (!results.empty()) {
-            return fail(Errc::unsupported, results.front().path + ": results of the kind '" +
-                                               results.front().kind +
-                                               "' are not drawn in scenes of space");
-        }
-        return load_space(scene, arguments, session);
+        return load_space(scene, results, arguments, session);
     }
     const Result<LoadedScene> loaded = load_scene(scene, session);
     if (!loaded) return tl::unexpected(loaded.error());

@@ -31,6 +31,7 @@ struct PictureArguments {
     bool vertices = false;
     bool labels = false;
     CameraArguments camera;
+    std::string arcs;  ///< of skeletons: which are drawn
 };
 [[nodiscard]] Result<viz::DrawList> load_picture(const PictureArguments& arguments,
                                                  Session& session);

@@ -111,6 +111,7 @@ void read_document(std::istream& in, ResultFile& file) {
     if (file.kind == "visibility_graph") read_graph(result, file);
     if (file.kind == "visibility_polygon") read_views(result, file);
     if (file.kind == "shortest_path") read_path(result, file);
+    if (file.kind == "visibility_skeleton") file.skeleton = result;
 }
 
 /// The parser's own messages begin with a code in brackets.
@@ -162,6 +163,7 @@ void adopt_options(const ResultFile& result, SceneArguments& arguments) {
     arguments.world = arguments.world || says("world");
     arguments.repair = arguments.repair || says("repair");
     arguments.all_lines = arguments.all_lines || says("all_lines");
+    arguments.sheets = arguments.sheets || says("sheets");
 }
 
 Result<Scene2> scene_of(const ResultFile& result, const Scene2& scene) {

@@ -36,6 +36,7 @@ struct ResultFile {
     Interval length;                           ///< shortest_path
     RationalPoint2 from;                       ///< shortest_path
     RationalPoint2 to;                         ///< shortest_path
+    nlohmann::json skeleton;                   ///< visibility_skeleton: its result, unread
 };
 
 /// Whether the file begins like one of ours; scenes in GeoJSON don't.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """sightline render: scenes of space."""
 
+import json
 import shutil
 
 import pytest
@@ -80,6 +81,61 @@ def test_directions_must_be_directions(cube, text):
     assert answer.status == 2
     assert f"--look-from: '{text}' is no direction" in answer.err
     assert answer.err.count("\n") == 1
+    assert not (cube / "a.vtp").exists()
+
+
+def node(*vertices):
+    return {"type": "VV", "support": {"vertices": list(vertices), "edges": []}, "plucker": None,
+            "along": [], "ends": [None, None], "faces": [], "root": None}
+
+
+def skeleton(edge=(5, 6), nodes=(0, 1), kind="Fv"):
+    """Part of the cube's: the lines of the top through a corner, between an edge and a diagonal."""
+    arc = {"type": kind, "support": {"vertices": [4], "edges": [list(edge)]},
+           "ends": [None, None], "nodes": list(nodes)}
+    return json.dumps({"sightline": {"version": "0.1.0", "format": 1}, "kind": "visibility_skeleton",
+                       "scene": {"files": ["cube.off"], "vertices": 8, "bodies": 1}, "options": {},
+                       "result": {"nodes": [node(4, 5), node(4, 6)], "arcs": [arc]}})
+
+
+def test_skeleton_has_a_block_a_type(cube):
+    (cube / "part.json").write_text(skeleton())
+    answer = run("render", "part.json", "cube.off", "-o", "a.vtm")
+    assert (answer.status, answer.err) == (0, "")
+    written = sorted(p.name for p in cube.glob("a_*.vtp"))
+    assert written == ["a_0_faces.vtp", "a_1_arcs_Fv.vtp", "a_2_outlines_Fv.vtp", "a_3_edges.vtp",
+                       "a_4_nodes_VV.vtp"]
+    assert 'NumberOfLines="2"' in (cube / "a_4_nodes_VV.vtp").read_text()
+
+
+@pytest.mark.parametrize("chosen, arcs", [("Fv", 1), ("0", 1), ("EV,0", 1), ("EEE", 0)])
+def test_arcs_are_chosen_by_type_and_number(cube, chosen, arcs):
+    (cube / "part.json").write_text(skeleton())
+    assert run("render", "part.json", "cube.off", "-o", "a.vtm", "--arcs", chosen).status == 0
+    assert len(list(cube.glob("a_*arcs_Fv.vtp"))) == arcs
+
+
+@pytest.mark.parametrize("chosen", ["1", "VV", "-1", "0x0", "0,,0"])
+def test_arcs_that_are_none(cube, chosen):
+    (cube / "part.json").write_text(skeleton())
+    answer = run("render", "part.json", "cube.off", "-o", "a.vtm", f"--arcs={chosen}")
+    assert answer.status == 2
+    assert answer.err.count("\n") == 1
+    assert "one of the 1 arcs" in answer.err
+
+
+@pytest.mark.parametrize("text, complaint", [
+    (skeleton(edge=(0, 6)), "names edge [0,6], which this scene does not have"),
+    (skeleton(nodes=(0, 2)), "names a node that is not in the list"),
+    (skeleton(kind="XY"), "names the type 'XY'"),
+    (skeleton().replace('"support"', '"supports"'), "is no skeleton as sightline writes it"),
+])
+def test_skeletons_of_other_scenes_are_refused(cube, text, complaint):
+    (cube / "part.json").write_text(text)
+    answer = run("render", "part.json", "cube.off", "-o", "a.vtp")
+    assert answer.status == 2
+    assert answer.err.startswith("sightline: part.json: ") or "part.json: " in answer.err
+    assert complaint in answer.err
     assert not (cube / "a.vtp").exists()
 
 
