@@ -2,6 +2,7 @@
 #include "sightline/skeleton/geometry.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "sightline/event/critical_line.hpp"
@@ -57,7 +58,7 @@ public:
     explicit Impl(const Scene3& scene) : scene_(&scene) {}
 
     std::optional<SurdLine3> line(const SkeletonNode& node) {
-        const std::vector<SurdLine3> lines = lines_of_node(node);
+        const std::vector<SurdLine3>& lines = lines_of_node(node);
         if (lines.empty()) return std::nullopt;
         const bool is_second = node.root == Root::second && lines.size() > 1;
         return lines[is_second ? 1 : 0];
@@ -99,6 +100,16 @@ public:
                       : std::vector<RationalLine3>{};
     }
 
+    bool contains(const VisibilitySkeleton& skeleton, ArcId arc, const SurdLine3& l) {
+        const auto family = family_of(skeleton, arc);
+        if (!family || !family->swath.contains(l)) return false;
+        const auto base = base_of(*family, skeleton[arc].label.support);
+        if (!base) return false;
+        const auto t = position(l, base->edge);
+        return t && std::min(base->first, base->last) < *t &&
+               *t < std::max(base->first, base->last);
+    }
+
     std::vector<ApproxSegment> approx_segments(const VisibilitySkeleton& skeleton, ArcId arc,
                                                std::size_t count) {
         const auto family = family_of(skeleton, arc);
@@ -118,8 +129,19 @@ public:
 
 private:
     /// The lines that a node may stand for, ascending: one, or those between which its root decides.
-    std::vector<SurdLine3> lines_of_node(const SkeletonNode& node) {
+    const std::vector<SurdLine3>& lines_of_node(const SkeletonNode& node) {
+        constexpr std::size_t most_remembered = 10'000;
+        if (remembered_.size() > most_remembered) remembered_.clear();
+        const auto [known, is_new] = remembered_.try_emplace(node);
+        if (is_new) known->second = find_lines(node);
+        return known->second;
+    }
+
+    std::vector<SurdLine3> find_lines(const SkeletonNode& node) {
         const Support& support = node.label.support;
+        if (node.root == Root::only) {
+            if (const auto l = rational_line(node)) return {scaled(to_surd(*l))};
+        }
         if (!support.along.empty()) {
             return {scaled(to_surd(carrier(support.along.front(), *scene_)))};
         }
@@ -130,22 +152,89 @@ private:
         }
         if (!families.swaths.empty() || families.has_larger) {
             add_crossing_lines(support, lines);
-            add_plane_lines(support, lines);
+            add_plane_lines(node, lines);
         }
-        keep_fitting(support, lines);
+        keep_fitting(node, lines);
         if (lines.size() > 1) {
             std::erase_if(lines, [&](const SurdLine3& l) { return !has_label(l, node.label); });
         }
         return lines;
     }
 
-    void keep_fitting(const Support& support, std::vector<SurdLine3>& lines) const {
+    /// Most lines are rational and follow from two points, two planes, or a point of two planes.
+    [[nodiscard]] std::optional<RationalLine3> rational_line(const SkeletonNode& node) const {
+        const Support& support = node.label.support;
+        std::optional<RationalLine3> l;
+        if (!support.vertices.empty()) {
+            const RationalPoint3 p = place(*scene_, support.vertices.front());
+            for (const VertexId v : support.vertices) {
+                const RationalPoint3 q = place(*scene_, v);
+                if (q != p) l = line_through(p, q);
+            }
+            if (!l) l = common_line(planes_through(p, node));
+        } else if (node.faces.size() == 1) {
+            const auto points = points_in(plane_of(node.faces.front(), *scene_), support);
+            if (points.size() > 1) l = line_through(points[0], points[1]);
+        } else {
+            std::vector<Plane3> planes;
+            for (const FaceId f : node.faces) planes.push_back(plane_of(f, *scene_));
+            l = common_line(planes);
+        }
+        return l && fits(*l, node) ? l : std::nullopt;
+    }
+
+    /// Planes through a vertex in which the line lies: those of the edges that it meets, and of faces.
+    [[nodiscard]] std::vector<Plane3> planes_through(const RationalPoint3& p,
+                                                     const SkeletonNode& node) const {
+        std::vector<Plane3> planes;
+        for (const FaceId f : node.faces) planes.push_back(plane_of(f, *scene_));
+        for (const EdgeId e : node.label.support.edges) {
+            const Plane3 plane = plane_through(p, carrier(e, *scene_));
+            if (!plane.is_degenerate()) planes.push_back(plane);
+        }
+        return planes;
+    }
+
+    [[nodiscard]] static std::optional<RationalLine3> common_line(
+        const std::vector<Plane3>& planes) {
+        for (std::size_t i = 1; i < planes.size(); ++i) {
+            const RationalLine3 l = line_of(planes[0], planes[i]);
+            if (l.is_line()) return l;
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] bool fits(const RationalLine3& l, const SkeletonNode& node) const {
+        const auto is_passed = [&](VertexId v) { return is_on(l, place(*scene_, v)); };
+        const auto is_met = [&](EdgeId e) {
+            if (side(l, carrier(e, *scene_)).sign() != Sign::zero) return false;
+            const auto across = [&](VertexId v) {
+                return cross(vector_to(place(*scene_, v)), l.d) - l.m;
+            };
+            const Edge3& edge = (*scene_)[e];
+            return dot(across(edge.source), across(edge.target)).sign() == Sign::negative;
+        };
+        const auto contains_it = [&](FaceId f) {
+            return dot(plane_of(f, *scene_).normal, l.d).sign() == Sign::zero;
+        };
+        const Support& support = node.label.support;
+        return std::ranges::all_of(support.vertices, is_passed) &&
+               std::ranges::all_of(support.edges, is_met) &&
+               std::ranges::all_of(node.faces, contains_it);
+    }
+
+    void keep_fitting(const SkeletonNode& node, std::vector<SurdLine3>& lines) const {
+        const Support& support = node.label.support;
         std::erase_if(lines, [&](const SurdLine3& l) {
             const auto is_met = [&](EdgeId e) { return meets_inside(l, e, *scene_); };
             const auto is_passed = [&](VertexId v) {
                 return is_on(l, to_surd(vector_to(place(*scene_, v))));
             };
-            return !std::ranges::all_of(support.edges, is_met) ||
+            const auto contains_it = [&](FaceId f) {
+                return is_parallel(l.d, plane_of(f, *scene_));
+            };
+            return !std::ranges::all_of(node.faces, contains_it) ||
+                   !std::ranges::all_of(support.edges, is_met) ||
                    !std::ranges::all_of(support.vertices, is_passed);
         });
         std::ranges::sort(lines);
@@ -168,8 +257,11 @@ private:
 
     /// Lines in planes that the support touches: through points where vertices and edges of it
     /// meet such a plane, or in two of the planes.
-    void add_plane_lines(const Support& support, std::vector<SurdLine3>& lines) const {
-        const std::vector<Plane3> planes = planes_at(support);
+    void add_plane_lines(const SkeletonNode& node, std::vector<SurdLine3>& lines) const {
+        const Support& support = node.label.support;
+        std::vector<Plane3> planes;
+        for (const FaceId f : node.faces) planes.push_back(plane_of(f, *scene_));
+        if (planes.empty()) planes = planes_at(support);
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const auto points = points_in(planes[i], support);
             for (std::size_t j = 0; j < points.size(); ++j) {
@@ -249,8 +341,9 @@ private:
 
     std::optional<Family> family_of(const VisibilitySkeleton& skeleton, ArcId arc) {
         const SkeletonArc& a = skeleton[arc];
-        const auto first = lines_of_node(skeleton[a.nodes[0]]);
-        const auto last = lines_of_node(skeleton[a.nodes[1]]);
+        const auto first =
+            lines_of_node(skeleton[a.nodes[0]]);  // a copy: asking for more may forget it
+        const auto& last = lines_of_node(skeleton[a.nodes[1]]);
         for (Swath& swath : candidate_swaths(a.label.support)) {
             for (const SurdLine3& from : first) {
                 for (const SurdLine3& to : last) {
@@ -262,53 +355,61 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] std::vector<RationalLine3> lines_of_family(const Family& family,
-                                                             const Support& support,
-                                                             std::size_t count) const {
-        const auto base = base_of(family.swath, support);
-        if (!base) return {};
-        const Edge3& edge = (*scene_)[*base];
-        const LineCurve3 curve =
-            family.swath.along(place(*scene_, edge.source), place(*scene_, edge.target));
-        const Surd first = position(family.first, *base);
-        const Surd last = position(family.last, *base);
-        const double from = first.approx_double();
-        const double step = (last.approx_double() - from) / static_cast<double>(count + 1);
-        std::vector<RationalLine3> result;
-        for (std::size_t i = 1; i <= count; ++i) {
-            const Rational t(from + step * static_cast<double>(i));
-            const bool is_between =
-                Surd(t) < std::max(first, last) && Surd(t) > std::min(first, last);
-            RationalLine3 l = curve.at(t);
-            if (is_between && l.is_line()) result.push_back(std::move(l));
-        }
-        return result;
-    }
-
     /// Whether three edges, two of which may cross, leave this family and no larger one.
     [[nodiscard]] bool fixes(const ArcGenerators& g, const Swath& swath) const {
         const auto swaths = candidate_swaths({{}, g.edges, {}});
         return std::ranges::find(swaths, swath) != swaths.end();
     }
 
-    /// The edge that carries the samples: met by every line of the family in a point of its own.
-    [[nodiscard]] std::optional<EdgeId> base_of(const Swath& swath, const Support& support) const {
+    /// An edge that every line of the family meets in a point of its own, and where the first and the last do.
+    struct Base {
+        EdgeId edge;
+        Surd first;
+        Surd last;
+    };
+
+    [[nodiscard]] std::optional<Base> base_of(const Family& family, const Support& support) const {
+        const Swath& swath = family.swath;
         for (const EdgeId e : support.edges) {
             const RationalLine3 l = carrier(e, *scene_);
             if (!swath.all_meet(l) || swath.contains(l)) continue;
             if (!swath.is_regulus() && is_on(l, swath.centre())) continue;
-            return e;
+            const auto first = position(family.first, e);
+            const auto last = position(family.last, e);
+            if (first && last) return Base{e, *first, *last};
         }
         return std::nullopt;
     }
 
-    /// Position of the line's point on the edge: 0 at its source, 1 at its target.
-    [[nodiscard]] Surd position(const SurdLine3& l, EdgeId e) const {
+    /// Where the line meets the edge's line: 0 at its source, 1 at its target; empty for parallels.
+    [[nodiscard]] std::optional<Surd> position(const SurdLine3& l, EdgeId e) const {
         const RationalLine3 over = carrier(e, *scene_);
-        const auto x = meeting_point(l, to_surd(over)).divided();
+        const auto x = meeting_point(l, to_surd(over));
+        if (!x.is_finite()) return std::nullopt;
         const SurdVector3 from = to_surd(vector_to(place(*scene_, (*scene_)[e].source)));
         const SurdVector3 d = to_surd(over.d);
-        return dot(x - from, d) / dot(d, d);
+        return dot(x.divided() - from, d) / dot(d, d);
+    }
+
+    [[nodiscard]] std::vector<RationalLine3> lines_of_family(const Family& family,
+                                                             const Support& support,
+                                                             std::size_t count) const {
+        const auto base = base_of(family, support);
+        if (!base) return {};
+        const Edge3& edge = (*scene_)[base->edge];
+        const LineCurve3 curve =
+            family.swath.along(place(*scene_, edge.source), place(*scene_, edge.target));
+        const auto [least, greatest] = std::minmax(base->first, base->last);
+        const double from = base->first.approx_double();
+        const double step = (base->last.approx_double() - from) / static_cast<double>(count + 1);
+        std::vector<RationalLine3> result;
+        for (std::size_t i = 1; i <= count; ++i) {
+            const Rational t(from + step * static_cast<double>(i));
+            const bool is_between = least < Surd(t) && Surd(t) < greatest;
+            RationalLine3 l = curve.at(t);
+            if (is_between && l.is_line()) result.push_back(std::move(l));
+        }
+        return result;
     }
 
     // ---- ends -------------------------------------------------------------------------------------
@@ -438,6 +539,7 @@ private:
 
     const Scene3* scene_;
     Policy policy_;
+    std::map<SkeletonNode, std::vector<SurdLine3>> remembered_;
     std::unique_ptr<SceneForms> forms_;
     std::unique_ptr<LineCut> cut_;
 };
@@ -463,6 +565,11 @@ std::optional<ArcGenerators> SkeletonGeometry::generators(const VisibilitySkelet
 std::vector<RationalLine3> SkeletonGeometry::lines(const VisibilitySkeleton& skeleton, ArcId arc,
                                                    std::size_t count) {
     return impl_->lines(skeleton, arc, count);
+}
+
+bool SkeletonGeometry::contains(const VisibilitySkeleton& skeleton, ArcId arc,
+                                const SurdLine3& line) {
+    return impl_->contains(skeleton, arc, line);
 }
 
 std::vector<ApproxSegment> SkeletonGeometry::approx_segments(const VisibilitySkeleton& skeleton,

@@ -81,6 +81,10 @@ public:
     /// meet one of the arc's edges. Fewer than `count` when doubles are too coarse for that.
     [[nodiscard]] std::vector<RationalLine3> lines(const VisibilitySkeleton& skeleton, ArcId arc,
                                                    std::size_t count);
+    /// Whether a line is in the arc's family, strictly between the lines of its nodes. Nothing is said about what
+    /// blocks it.
+    [[nodiscard]] bool contains(const VisibilitySkeleton& skeleton, ArcId arc,
+                                const SurdLine3& line);
     /// The arc's first node, the segments of lines(), and its second node, all rounded.
     [[nodiscard]] std::vector<ApproxSegment> approx_segments(const VisibilitySkeleton& skeleton,
                                                              ArcId arc, std::size_t count);
