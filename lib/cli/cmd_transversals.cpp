@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "cli/document.hpp"
+#include "cli/exact_json.hpp"
 #include "cli/program.hpp"
 #include "sightline/event/segment_transversals.hpp"
 #include "sightline/event/triangle_tangents.hpp"
@@ -42,15 +43,7 @@ Result<std::string> read_text(const std::string& file) {
     return text;
 }
 
-void write_number(JsonWriter& json, const Surd& x) {
-    if (x.is_rational()) return json.value(x.rational_part().to_string());
-    json.begin_object(Layout::inline_);
-    json.member("a", x.rational_part().to_string());
-    json.member("b", x.root_sign() == Sign::negative ? "-1" : "1");
-    json.member("c", x.radicand().to_string());
-    json.end();
-}
-
+using detail::write_number;
 void write_number(JsonWriter& json, const Rational& x) { json.value(x.to_string()); }
 
 template <typename Number>

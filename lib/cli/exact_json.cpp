@@ -50,6 +50,21 @@ void write_point(JsonWriter& json, const RationalPoint2& p) {
 
 void write_point(JsonWriter& json, const Point2& p) { write_point(json, to_rational(p)); }
 
+void write_number(JsonWriter& json, const Surd& x) {
+    if (x.is_rational()) return json.value(x.rational_part().to_string());
+    json.begin_object(JsonWriter::Layout::inline_);
+    json.member("a", x.rational_part().to_string());
+    json.member("b", x.root_sign() == Sign::negative ? "-1" : "1");
+    json.member("c", x.radicand().to_string());
+    json.end();
+}
+
+void write_line(JsonWriter& json, const SurdLine3& line) {
+    json.begin_array(JsonWriter::Layout::inline_);
+    for (const Surd& x : line.coordinates()) write_number(json, x);
+    json.end();
+}
+
 nlohmann::ordered_json to_json(const RationalPoint2& p) {
     return nlohmann::ordered_json::array({p.x.to_string(), p.y.to_string()});
 }

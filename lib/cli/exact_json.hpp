@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/json_writer.hpp"
+#include "sightline/geom/plucker.hpp"
 #include "sightline/geom/point.hpp"
 #include "sightline/scene/result.hpp"
 
@@ -21,6 +22,10 @@ namespace sightline::detail {
 /// ["3/2", "-7/2"]
 void write_point(JsonWriter& json, const RationalPoint2& p);
 void write_point(JsonWriter& json, const Point2& p);
+/// "3/2", or {"a": "1/2", "b": "-1", "c": "45"} for a - √c.
+void write_number(JsonWriter& json, const Surd& x);
+/// The six coordinates: direction, then moment.
+void write_line(JsonWriter& json, const SurdLine3& line);
 [[nodiscard]] nlohmann::ordered_json to_json(const RationalPoint2& p);
 [[nodiscard]] nlohmann::ordered_json to_json(const Point2& p);
 

@@ -13,7 +13,7 @@ namespace sightline::detail {
 namespace {
 
 // A signal handler may use lock-free atomics, unlink and _exit, and hardly anything else.
-std::array<std::atomic<const char*>, 16> doomed{};
+std::array<std::atomic<const char*>, 64> doomed{};
 std::atomic<bool> is_committing{false};
 
 [[noreturn]] void remove_and_exit(int status) {
@@ -47,7 +47,7 @@ DoomedFile::DoomedFile(std::string path) : path_(std::move(path)) {
             return;
         }
     }
-    SIGHTLINE_EXPECT(!"more than 16 files are being written");
+    SIGHTLINE_EXPECT(!"more than 64 files are being written");
 }
 
 DoomedFile::DoomedFile(DoomedFile&& other) noexcept {

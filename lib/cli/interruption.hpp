@@ -12,7 +12,7 @@ namespace sightline::detail {
 /// and a broken pipe is an error of the write, not a signal.
 void handle_interruptions();
 
-/// A file that is removed if the program is ended while the object lives. At most 16 at a time.
+/// A file that is removed if the program is ended while the object lives. At most 64 at a time.
 class DoomedFile {
 public:
     explicit DoomedFile(std::string path);

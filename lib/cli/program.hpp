@@ -51,6 +51,7 @@ void add_graph(Program& program);
 void add_view2(Program& program);
 void add_path(Program& program);
 void add_transversals(Program& program);
+void add_skeleton(Program& program);
 void add_render(Program& program);
 void add_show(Program& program);
 void add_generate(Program& program);
