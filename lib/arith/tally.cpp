@@ -27,6 +27,10 @@ std::string_view name_of(Predicate predicate) noexcept {
             return "line_form3";
         case Predicate::curve_parameter3:
             return "curve_parameter3";
+        case Predicate::image_orientation3:
+            return "image_orientation3";
+        case Predicate::constructed_order3:
+            return "constructed_order3";
         case Predicate::count_:
             break;
     }

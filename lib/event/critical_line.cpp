@@ -122,11 +122,31 @@ LineFamilies families_of(const Support& support, const Scene3& scene) {
 }
 
 std::vector<SurdLine3> lines_of(const Support& support, const Scene3& scene) {
-    std::vector<SurdLine3> lines = families_of(support, scene).isolated;
+    return lines_of(support, {}, scene);
+}
+
+std::vector<SurdLine3> lines_of(const Support& support, std::span<const FaceId> faces,
+                                const Scene3& scene) {
+    const LineFamilies all = families_of(support, scene);
+    std::vector<SurdLine3> lines = all.isolated;
+    std::vector<Plane3> planes;
+    for (const FaceId f : faces) planes.push_back(plane_of(f, scene));
+    for (const Swath& swath : all.swaths) {
+        if (planes.empty() || swath.is_regulus()) continue;
+        const RationalLine3 line = line_of(swath.plane(), planes[0]);
+        if (swath.contains(line)) lines.push_back(scaled(to_surd(line)));
+    }
     std::erase_if(lines, [&](const SurdLine3& line) {
-        return !std::ranges::all_of(support.edges,
+        const auto lies_in = [&](const Plane3& plane) {
+            const auto meeting = meeting_point(line, to_surd(plane.normal), Surd(plane.offset));
+            return !meeting.is_finite() && meeting.p.is_zero();
+        };
+        return !std::ranges::all_of(planes, lies_in) ||
+               !std::ranges::all_of(support.edges,
                                     [&](EdgeId e) { return meets_inside(line, e, scene); });
     });
+    std::ranges::sort(lines);
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     return lines;
 }
 

@@ -38,9 +38,44 @@ std::vector<BodyId> make_bodies(const Mesh3& mesh, const std::vector<std::uint32
     return of_component;
 }
 
+/// Whether an input face's boundary crosses itself. Quadrangles are mostly convex, which is quickly seen.
+bool crosses_itself(const Mesh3& mesh, std::uint32_t face) {
+    const std::uint32_t first = mesh.first_half[face];
+    const std::uint32_t n = mesh.first_half[face + 1] - first;
+    if (n == 3) return false;
+    const auto corner = [&](std::uint32_t i) { return mesh.halves[first + i % n].source; };
+    const auto at = [&](std::uint32_t i) -> const Point3& { return mesh.vertices[corner(i)]; };
+    std::uint32_t left_turns = 0;
+    std::uint32_t least = 0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        if (mesh.planes[face].turn(at(i), at(i + 1), at(i + 2)) == Sign::positive) ++left_turns;
+        if (at(i) < at(least)) least = i;
+    }
+    if (n == 4 && left_turns == 4) return false;
+    Face3 outline;
+    outline.plane = {VertexId{corner(least + n - 1)}, VertexId{corner(least)},
+                     VertexId{corner(least + 1)}};
+    auto& ring = outline.rings.emplace_back();
+    for (std::uint32_t i = 0; i < n; ++i) ring.push_back(VertexId{corner(i)});
+    return detail::triangulate(mesh.vertices, outline).empty();
+}
+
+Result<void> check_merged(const Mesh3& mesh, const Face3& face) {
+    if (face.input_faces.size() == 1) return {};  // its rings are looked at
+    for (const std::uint32_t f : face.input_faces) {
+        if (!crosses_itself(mesh, f)) continue;
+        return fail(
+            Errc::self_intersection,
+            mesh.name_of_face(f) + ": its boundary crosses itself; split or remove the face");
+    }
+    return {};
+}
+
 Result<std::vector<Triangle3>> triangulate_all(const Mesh3& mesh, const std::vector<Face3>& faces) {
     std::vector<Triangle3> all;
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
+        if (auto ok = check_merged(mesh, faces[f]); !ok)
+            return tl::unexpected(std::move(ok.error()));
         const auto triangles = detail::triangulate(mesh.vertices, faces[f]);
         if (triangles.empty()) {
             return fail(Errc::self_intersection,

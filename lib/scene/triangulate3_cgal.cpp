@@ -40,6 +40,7 @@ public:
         } catch (const Triangulation::Intersection_of_constraints_exception&) {
             return {};
         }
+        if (!is_region_) return {};
         for (const Cell cell : planar_.all_face_handles()) cell->info() = false;
         for (const auto& ring : face_.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
@@ -58,11 +59,16 @@ private:
         for (const auto& ring : face_.rings) {
             for (const VertexId v : ring) {
                 const Point2 p = flat(v);
+                if (handles_.contains(v)) continue;
+                const auto before = planar_.number_of_vertices();
                 const Vertex handle = planar_.insert(Kernel::Point_2(p.x, p.y));
+                // Faces that are not planar may have two vertices at one place of the picture.
+                if (planar_.number_of_vertices() == before) is_region_ = false;
                 handle->info() = v.value;
                 handles_.emplace(v, handle);
             }
         }
+        if (!is_region_) return;
         for (const auto& ring : face_.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
                 planar_.insert_constraint(handles_.at(ring[i]),
@@ -138,7 +144,7 @@ private:
     Plane3 plane_;
     Triangulation planar_;
     std::map<VertexId, Vertex> handles_;
-    bool is_region_ = true;  ///< nothing reached infinity
+    bool is_region_ = true;  ///< places are distinct, and nothing reached infinity
     /// A piece of a ring: the cell on its outer side. Only slits have both directions.
     std::map<std::pair<std::uint32_t, std::uint32_t>, Cell> outsides_;
 };

@@ -167,6 +167,43 @@ public:
             if (curve) sweep_.run(*curve);
         }
     }
+    /// Lines in a plane where solids are pressed on each other, through edge a of it.
+    void sweep_contact_plane(const SceneForms::ContactPlane& plane, EdgeId a) {
+        for (std::uint32_t c = 0; c < shared_.forms.edge_count(); ++c) {
+            if (!goes_on()) return;
+            const auto curve =
+                Curve::in_face(shared_.forms, policy_, plane.faces.front(), a, EdgeId{c});
+            if (curve) sweep_.run(*curve);
+        }
+    }
+    /// Lines in such a plane that end at a vertex or crossing on the border of the contact.
+    void sweep_contact_border(const SceneForms::ContactPlane& plane) {
+        const SceneForms& forms = shared_.forms;
+        const auto is_in_plane = [&](EdgeId e) {
+            return std::ranges::binary_search(plane.edges, e);
+        };
+        const auto sweep = [&](const std::array<Curve, 2>& halves) {
+            for (const Curve& half : halves) {
+                if (goes_on()) sweep_.run(half);
+            }
+        };
+        for (const auto& [a, b] : forms.crossings()) {
+            if (!is_in_plane(a) || !is_in_plane(b)) continue;
+            sweep(Curve::on_border(forms, policy_, plane.faces.front(), {a, b}));
+        }
+        std::map<VertexId, std::vector<EdgeId>> edges_at;
+        for (const EdgeId e : plane.edges) {
+            edges_at[forms.scene()[e].source].push_back(e);
+            edges_at[forms.scene()[e].target].push_back(e);
+        }
+        for (const auto& [v, edges] : edges_at) {
+            const auto other = std::ranges::find_if(edges, [&, &around = edges](EdgeId e) {
+                return !forms.are_parallel(around[0], e);
+            });
+            if (other == edges.end()) continue;
+            sweep(Curve::on_border(forms, policy_, plane.faces.front(), v, {edges[0], *other}));
+        }
+    }
     void sweep_swath(const EdgeTriple& edges) {
         if (!goes_on()) return;
         if (const auto curve = Curve::through_edges(shared_.forms, policy_, edges)) {
@@ -248,11 +285,22 @@ private:
             shared_.supervisor.report(0.6 * static_cast<double>(++done) /
                                       static_cast<double>(count));
         });
-        if (!shared_.forms.scene().has_touching_bodies()) return;
-        const auto crossings = edge_crossings(shared_.forms);
+        sweep_contacts();
+    }
+
+    void sweep_contacts() {
+        const auto crossings = shared_.forms.crossings();
         in_parallel(crossings.size(), [&](Worker& worker, std::size_t i) {
             worker.sweep_crossing(crossings[i].first, crossings[i].second);
         });
+        for (const auto& plane : shared_.forms.contact_planes()) {
+            in_parallel(plane.edges.size(), [&](Worker& worker, std::size_t i) {
+                worker.sweep_contact_plane(plane, plane.edges[i]);
+            });
+        }
+        const auto planes = shared_.forms.contact_planes();
+        in_parallel(planes.size(),
+                    [&](Worker& worker, std::size_t i) { worker.sweep_contact_border(planes[i]); });
     }
 
     /// Round by round: the swaths that the nodes of the last round may have.

@@ -8,17 +8,6 @@ namespace sightline::detail {
 
 namespace {
 
-/// The point where two lines of one plane cross, homogeneous: point and weight. Zero when parallel.
-template <typename N>
-std::pair<Vec3<N>, N> crossing(const PluckerOf<N>& a, const Vec3<N>& on_a, const PluckerOf<N>& b,
-                               const Vec3<N>& on_b) {
-    // p = on_a + s·a.d with (p − on_b) × b.d = 0: s = −((on_a − on_b) × b.d)·n / n·n, n = a.d × b.d.
-    const Vec3<N> n = cross(a.d, b.d);
-    const N weight = dot(n, n);
-    const N s = N(-dot(cross<N>(on_a - on_b, b.d), n));
-    return {weight * on_a + s * a.d, weight};
-}
-
 /// The point where a line pierces a plane, homogeneous.
 template <typename N>
 std::pair<Vec3<N>, N> piercing(const PluckerOf<N>& line, const PlaneOf<N>& plane) {
@@ -43,6 +32,15 @@ VertexId far_end(const SceneForms& forms, EdgeId a, EdgeId b) {
     return distance(edge.source) >= distance(edge.target) ? edge.source : edge.target;
 }
 
+template <typename N>
+N one() {
+    if constexpr (std::is_same_v<N, Real>) {
+        return Real(1.0);
+    } else {
+        return 1;
+    }
+}
+
 Sign side_of_edges(const SceneForms& forms, const Policy& policy, EdgeId a, EdgeId b) {
     const auto of = [&]<typename N>(const N&) {
         return side(forms.line<N>(a.index()), forms.line<N>(b.index()));
@@ -63,11 +61,13 @@ bool is_on_line(const SceneForms& forms, const Policy& policy, VertexId v, EdgeI
     return true;
 }
 
-/// Whether edge c pierces the plane of edge a and the vertex in its relative interior.
-bool pierces_inside(const SceneForms& forms, const Policy& policy, EdgeId a, VertexId v, EdgeId c) {
+/// Whether edge c pierces a plane in its relative interior; `plane` gives it for a kind of number.
+template <typename PlaneFor>
+bool pierces_inside(const SceneForms& forms, const Policy& policy, const PlaneFor& plane_for,
+                    EdgeId c) {
     const auto height = [&](VertexId w) {
-        const auto of = [&]<typename N>(const N&) {
-            const PlaneOf<N> plane = plane_of_edges<N>(forms, a, v);
+        const auto of = [&]<typename N>(const N& kind) {
+            const PlaneOf<N> plane = plane_for(kind);
             return N(dot(plane.n, forms.point<N>(w)) - plane.k);
         };
         return policy.sign(Predicate::line_form3, of(Real{}),
@@ -75,6 +75,19 @@ bool pierces_inside(const SceneForms& forms, const Policy& policy, EdgeId a, Ver
     };
     const Edge3& e = forms.scene()[c];
     return height(e.source) * height(e.target) == Sign::negative;
+}
+
+/// Whether the plane passes through a point of c that some feature of another body fixes, too.
+bool is_fixed_on(const SceneForms& forms, const PlaneOf<Integer>& plane, EdgeId c) {
+    const auto has_vertex = [&](VertexId v) {
+        return dot(plane.n, forms.point<Integer>(v)) == plane.k;
+    };
+    const auto has_crossing = [&](EdgeId e) {
+        const auto [p, w] = crossing<Integer>(forms, c, e);
+        return dot(plane.n, p) == plane.k * w;
+    };
+    return std::ranges::any_of(forms.vertices_inside(c), has_vertex) ||
+           std::ranges::any_of(forms.crossing_edges(c), has_crossing);
 }
 
 }  // namespace
@@ -91,9 +104,7 @@ std::optional<Curve> Curve::pencil(const SceneForms& forms, const Policy& policy
 
 std::optional<Curve> Curve::contact_pencil(const SceneForms& forms, const Policy& policy, EdgeId a,
                                            EdgeId b, EdgeId e) {
-    const auto [point, weight] =
-        crossing(forms.line<Integer>(a.index()), forms.point<Integer>(forms.scene()[a].source),
-                 forms.line<Integer>(b.index()), forms.point<Integer>(forms.scene()[b].source));
+    const auto [point, weight] = crossing<Integer>(forms, a, b);
     const PluckerOf<Integer>& line = forms.line<Integer>(e.index());
     const Vec3<Integer> off = weight * line.m - cross(point, line.d);
     if (sgn(off[0]) == 0 && sgn(off[1]) == 0 && sgn(off[2]) == 0) return std::nullopt;
@@ -129,12 +140,53 @@ std::optional<Curve> Curve::through_edges(const SceneForms& forms, const Policy&
         end = end == edge.source ? edge.target : edge.source;
         if (is_on_line(forms, policy, end, a)) return std::nullopt;  // one line
     }
-    if (!pierces_inside(forms, policy, a, end, edges[apart])) return std::nullopt;
+    const auto plane = [&]<typename N>(const N&) { return plane_of_edges<N>(forms, a, end); };
+    if (!pierces_inside(forms, policy, plane, edges[apart])) return std::nullopt;
+    if (is_fixed_on(forms, plane(Integer{}), edges[apart])) return std::nullopt;
     Curve curve(forms, policy, CurveKind::plane_pencil);
     curve.vertex_ = end;
     curve.edges_ = {a, b, edges[apart]};
     curve.real_ = curve.compute<Real>();
     return curve;
+}
+
+std::optional<Curve> Curve::in_face(const SceneForms& forms, const Policy& policy, FaceId f,
+                                    EdgeId a, EdgeId c) {
+    const auto plane = [&]<typename N>(const N&) { return forms.plane<N>(f); };
+    if (!pierces_inside(forms, policy, plane, c)) return std::nullopt;
+    if (is_fixed_on(forms, plane(Integer{}), c)) return std::nullopt;
+    if (side_of_edges(forms, policy, a, c) == Sign::zero) return std::nullopt;
+    Curve curve(forms, policy, CurveKind::face_pencil);
+    curve.edges_ = {a, c};
+    curve.contact_ = f;
+    curve.real_ = curve.compute<Real>();
+    return curve;
+}
+
+std::array<Curve, 2> Curve::on_border(const SceneForms& forms, const Policy& policy, FaceId f,
+                                      VertexId v, std::array<EdgeId, 2> edges) {
+    Curve first(forms, policy, CurveKind::border_pencil);
+    first.vertex_ = v;
+    first.contact_ = f;
+    first.directions_ = edges;
+    Curve second = first;
+    second.second_half_ = true;
+    first.real_ = first.compute<Real>();
+    second.real_ = second.compute<Real>();
+    return {std::move(first), std::move(second)};
+}
+
+std::array<Curve, 2> Curve::on_border(const SceneForms& forms, const Policy& policy, FaceId f,
+                                      std::array<EdgeId, 2> edges) {
+    Curve first(forms, policy, CurveKind::border_pencil);
+    first.contact_ = f;
+    first.directions_ = edges;
+    first.edges_ = {edges[0], edges[1]};
+    Curve second = first;
+    second.second_half_ = true;
+    first.real_ = first.compute<Real>();
+    second.real_ = second.compute<Real>();
+    return {std::move(first), std::move(second)};
 }
 
 template <typename N>
@@ -143,6 +195,20 @@ std::array<PluckerOf<N>, 3> Curve::pencil_through(const Vec3<N>& p, const N& w) 
     const Vec3<N>& u = forms_->line<N>(base().index()).d;
     // From p/w to a + tu, times w.
     return {PluckerOf<N>{w * a - p, cross(p, a)}, PluckerOf<N>{w * u, cross(p, u)}, PluckerOf<N>{}};
+}
+
+// From one edge's direction to the other's, and on to the opposite of the first.
+template <typename N>
+std::array<PluckerOf<N>, 3> Curve::border_lines() const {
+    const auto [p, w] = vertex_.is_none() ? crossing<N>(*forms_, edges_[0], edges_[1])
+                                          : std::pair{forms_->point<N>(vertex_), one<N>()};
+    const Vec3<N>& u = forms_->line<N>(directions_[0].index()).d;
+    const Vec3<N>& v = forms_->line<N>(directions_[1].index()).d;
+    const Vec3<N> from = second_half_ ? v : u;
+    const Vec3<N> to = second_half_ ? -u : v;
+    const Vec3<N> change = to - from;
+    return {PluckerOf<N>{w * from, cross(p, from)}, PluckerOf<N>{w * change, cross(p, change)},
+            PluckerOf<N>{}};
 }
 
 template <typename N>
@@ -167,22 +233,11 @@ std::array<PluckerOf<N>, 3> Curve::ruling() const {
 
 template <typename N>
 std::array<PluckerOf<N>, 3> Curve::compute() const {
-    const auto point_on = [&](EdgeId e) -> const Vec3<N>& {
-        return forms_->point<N>(forms_->scene()[e].source);
-    };
     switch (kind_) {
-        case CurveKind::vertex_pencil: {
-            N one{};
-            if constexpr (std::is_same_v<N, Real>) {
-                one = Real(1.0);
-            } else {
-                one = 1;
-            }
-            return pencil_through(forms_->point<N>(vertex_), one);
-        }
+        case CurveKind::vertex_pencil:
+            return pencil_through(forms_->point<N>(vertex_), one<N>());
         case CurveKind::contact_pencil: {
-            const auto [p, w] = crossing(forms_->line<N>(edges_[1].index()), point_on(edges_[1]),
-                                         forms_->line<N>(edges_[2].index()), point_on(edges_[2]));
+            const auto [p, w] = crossing<N>(*forms_, edges_[1], edges_[2]);
             return pencil_through(p, w);
         }
         case CurveKind::plane_pencil: {
@@ -190,6 +245,13 @@ std::array<PluckerOf<N>, 3> Curve::compute() const {
                                          plane_of_edges<N>(*forms_, edges_[0], vertex_));
             return pencil_through(p, w);
         }
+        case CurveKind::face_pencil: {
+            const auto [p, w] =
+                piercing(forms_->line<N>(edges_[1].index()), forms_->plane<N>(contact_));
+            return pencil_through(p, w);
+        }
+        case CurveKind::border_pencil:
+            return border_lines<N>();
         case CurveKind::regulus:
             break;
     }
@@ -218,10 +280,19 @@ std::optional<EventForm> Curve::vertex_form(VertexId v, EdgeId of) const {
         return form;
     }
     if (!is_in_plane(v)) return std::nullopt;
-    EventForm best{EventForm::Kind::vertex_axis, 0, 0, v, 0};
+    return widest_form({EventForm::Kind::vertex_axis, 0, 0, v, 0});
+}
+
+std::optional<EventForm> Curve::crossing_form(EdgeId a, EdgeId b) const {
+    return widest_form({EventForm::Kind::crossing_axis, a.value, b.value, VertexId::none(), 0});
+}
+
+/// The one of three forms, by axis, that changes most.
+std::optional<EventForm> Curve::widest_form(EventForm form) const {
+    EventForm best = form;
     double size = -1;
     for (int axis = 0; axis < 3; ++axis) {
-        const EventForm form{EventForm::Kind::vertex_axis, 0, 0, v, axis};
+        form.axis = axis;
         const Quadratic<Real> q = evaluate<Real>(form);
         if (std::abs(q.q1.value()) <= size && size >= 0) continue;
         if (vanishes(q, form)) continue;
@@ -233,10 +304,10 @@ std::optional<EventForm> Curve::vertex_form(VertexId v, EdgeId of) const {
 }
 
 bool Curve::is_in_plane(VertexId v) const {
+    // Two lines of the pencil span its plane; their moments know the point.
     const auto height = [&]<typename N>(const N&) {
-        const Vec3<N>& a = forms_->point<N>(forms_->scene()[base()].source);
-        const Vec3<N> n = cross(coefficients<N>()[0].d, forms_->line<N>(base().index()).d);
-        return dot<N>(forms_->point<N>(v) - a, n);
+        const auto& l = coefficients<N>();
+        return dot<N>(normal_from(l[0], forms_->point<N>(v)), l[1].d);
     };
     return policy_->sign(Predicate::line_form3, height(Real{}),
                          [&] { return sign_of_integer(height(Integer{})); }) == Sign::zero;

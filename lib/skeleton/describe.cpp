@@ -8,12 +8,6 @@ namespace sightline::detail {
 
 namespace {
 
-bool are_parallel(const SceneForms& forms, EdgeId a, EdgeId b) {
-    const Vec3<Integer> n =
-        cross(forms.line<Integer>(a.index()).d, forms.line<Integer>(b.index()).d);
-    return sgn(n[0]) == 0 && sgn(n[1]) == 0 && sgn(n[2]) == 0;
-}
-
 /// Places of the run that fix a point: those with a vertex, or with two edges that cross.
 std::vector<std::uint32_t> fixed_places(const SceneForms& forms, const LineCut& cut,
                                         const Run& run) {
@@ -23,23 +17,17 @@ std::vector<std::uint32_t> fixed_places(const SceneForms& forms, const LineCut& 
         const Contact& c = contacts[i];
         if (!run.contains(c.place)) continue;
         bool fixes = c.feature == Feature::vertex;
+        if (c.feature == Feature::edge) {
+            fixes = std::ranges::any_of(cut.collinear_edges(),
+                                        [&](EdgeId e) { return cut.runs_along(e, c.place); });
+        }
         for (std::size_t j = 0; c.feature == Feature::edge && j < i && !fixes; ++j) {
             fixes = contacts[j].feature == Feature::edge && contacts[j].place == c.place &&
-                    !are_parallel(forms, EdgeId{c.id}, EdgeId{contacts[j].id});
+                    !forms.are_parallel(EdgeId{c.id}, EdgeId{contacts[j].id});
         }
         if (fixes && (places.empty() || places.back() != c.place)) places.push_back(c.place);
     }
     return places;
-}
-
-bool is_coplanar(const SceneForms& forms, FaceId a, FaceId b) {
-    const PlaneOf<Integer>& p = forms.plane<Integer>(a);
-    const PlaneOf<Integer>& q = forms.plane<Integer>(b);
-    const PluckerOf<Integer> meet = line_of(p, q);
-    const auto zero = [](const Vec3<Integer>& x) {
-        return sgn(x[0]) == 0 && sgn(x[1]) == 0 && sgn(x[2]) == 0;
-    };
-    return zero(meet.d) && zero(meet.m);
 }
 
 /// Faces of which the support has a vertex or two edges.
@@ -75,7 +63,7 @@ std::size_t count_planes(const SceneForms& forms, const std::vector<FaceId>& fac
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const bool is_new =
             std::none_of(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(i),
-                         [&](FaceId g) { return is_coplanar(forms, faces[i], g); });
+                         [&](FaceId g) { return forms.are_coplanar(faces[i], g); });
         if (is_new) ++count;
     }
     return count;
@@ -130,48 +118,31 @@ ArcType arc_type(const Curve& curve, const LineCut& cut, const Run& run,
         return curve.policy().sign(Predicate::line_form3, of(Real{}),
                                    [&] { return sign_of_integer(of(Integer{})); }) == Sign::zero;
     };
-    const bool planar = std::ranges::any_of(touched_faces(forms, label.support), [&](FaceId f) {
-        return keeps_direction(f, 0) && keeps_direction(f, 1);
-    });
+    const auto faces = touched_faces(forms, label.support);
+    const bool planar = std::ranges::any_of(
+        faces, [&](FaceId f) { return keeps_direction(f, 0) && keeps_direction(f, 1); });
     if (fixed_places(forms, cut, run).empty()) return planar ? ArcType::fe : ArcType::eee;
     return planar ? ArcType::fv : ArcType::ev;
 }
 
-namespace {
-
-/// Whether two edges of one plane cross inside both: each has its ends on both sides of the other.
-bool cross_inside(const SceneForms& forms, EdgeId a, EdgeId b) {
-    if (sgn(side(forms.line<Integer>(a.index()), forms.line<Integer>(b.index()))) != 0)
-        return false;
-    const auto separates = [&](EdgeId by, EdgeId ends) {
-        const Edge3& edge = forms.scene()[ends];
-        const Vec3<Integer> s =
-            normal_from(forms.line<Integer>(by.index()), forms.point<Integer>(edge.source));
-        const Vec3<Integer> t =
-            normal_from(forms.line<Integer>(by.index()), forms.point<Integer>(edge.target));
-        return sgn(dot(s, t)) < 0;
-    };
-    return separates(a, b) && separates(b, a);
-}
-
-}  // namespace
-
-std::vector<std::pair<EdgeId, EdgeId>> edge_crossings(const SceneForms& forms) {
-    std::vector<std::pair<EdgeId, EdgeId>> crossings;
-    const auto& points = forms.scene().vertices();
-    for (std::uint32_t e = 0; e < forms.edge_count(); ++e) {
-        const Edge3& edge = forms.scene().edges()[e];
-        const Box3 box = Box3::of(points[edge.source.index()], points[edge.target.index()]);
-        forms.edges().traverse([&](const Box3& other) { return box.meets(other); },
-                               [&](std::uint32_t other) {
-                                   if (other >= e) return;
-                                   if (forms.scene().edges()[other].body == edge.body) return;
-                                   if (!cross_inside(forms, EdgeId{other}, EdgeId{e})) return;
-                                   crossings.emplace_back(EdgeId{other}, EdgeId{e});
-                               });
+CellParts cell_parts(const SceneForms& forms, const LineCut& cut, const Run& run) {
+    CellParts parts;
+    if (!forms.scene().has_touching_bodies()) return parts;
+    std::uint32_t last = Run::none;
+    for (const Contact& c : cut.contacts()) {
+        if (!run.contains(c.place) || c.feature == Feature::face) continue;
+        if (c.place != last) parts.places.emplace_back();
+        last = c.place;
+        parts.places.back().emplace_back(c.feature, c.id);
+        if (c.feature != Feature::edge) continue;
+        for (const EdgeId e : cut.collinear_edges()) {
+            if (cut.runs_along(e, c.place)) parts.places.back().emplace_back(c.feature, e.value);
+        }
     }
-    std::ranges::sort(crossings);
-    return crossings;
+    for (auto& place : parts.places) std::ranges::sort(place);
+    std::ranges::sort(parts.places);
+    parts.contact = cut.contact_faces(run);
+    return parts;
 }
 
 }  // namespace sightline::detail

@@ -19,6 +19,13 @@ void ReachSearch::search_segment(const StoppingFaces& stopping,
     });
 }
 
+void ReachSearch::search_all(std::span<const Dismissed> dismissed) {
+    dismissed_ = dismissed;
+    for (std::uint32_t e = 0; e < curve_.forms().edge_count(); ++e) {
+        consider_edge(EdgeId{e}, true);
+    }
+}
+
 void ReachSearch::search_edges(std::span<const EdgeId> edges) {
     for (const EdgeId e : edges) consider_edge(e, true);
 }
@@ -26,7 +33,7 @@ void ReachSearch::search_edges(std::span<const EdgeId> edges) {
 bool ReachSearch::consider_edge(EdgeId e, bool everywhere) {
     const bool is_generator = std::ranges::find(curve_.edges(), e) != curve_.edges().end();
     const EventForm form{EventForm::Kind::line, e.value, 0, VertexId::none(), 0};
-    if (is_generator) return false;  // their ends are the interval's
+    if (is_generator) return consider_crossings(e, everywhere);  // their ends are the interval's
     const Quadratic<Real> q = curve_.evaluate<Real>(form);
     if (surely_outside(q)) return false;
     if (!curve_.vanishes(q, form)) return consider_form(form, e, everywhere);
@@ -35,6 +42,26 @@ bool ReachSearch::consider_edge(EdgeId e, bool everywhere) {
     for (const VertexId v : {edge.source, edge.target}) {
         if (const auto at_vertex = curve_.vertex_form(v, e)) {
             narrowed = consider_form(*at_vertex, e, everywhere) || narrowed;
+        }
+    }
+    return consider_crossings(e, everywhere) || narrowed;
+}
+
+/// Whether all lines of the curve meet the line of e.
+bool ReachSearch::contains_all(EdgeId e) const {
+    if (std::ranges::find(curve_.edges(), e) != curve_.edges().end()) return true;
+    const EventForm form{EventForm::Kind::line, e.value, 0, VertexId::none(), 0};
+    return curve_.vanishes(curve_.evaluate<Real>(form), form);
+}
+
+/// Where lines of a pencil pass through the point where e, which all of them meet, crosses another such edge.
+bool ReachSearch::consider_crossings(EdgeId e, bool everywhere) {
+    if (curve_.kind() == CurveKind::regulus) return false;
+    bool narrowed = false;
+    for (const EdgeId other : curve_.forms().crossing_edges(e)) {
+        if (!contains_all(other)) continue;
+        if (const auto form = curve_.crossing_form(e, other)) {
+            narrowed = consider_form(*form, e, everywhere) || narrowed;
         }
     }
     return narrowed;
@@ -61,7 +88,9 @@ bool ReachSearch::consider_form(const EventForm& form, EdgeId e, bool everywhere
 }
 
 bool ReachSearch::offer(Parameter&& t, EdgeId e, const EventForm& form, bool everywhere) {
-    const Dismissed name{e, form.vertex, t.branch()};
+    const bool is_crossing = form.kind == EventForm::Kind::crossing_axis;
+    const Dismissed name{e, form.vertex, t.branch(),
+                         is_crossing ? EdgeId{form.other} : EdgeId::none()};
     if (std::ranges::find(dismissed_, name) != dismissed_.end()) return false;
     const Sign side = compare(policy_, t, sample_);
     const bool is_left = side == Sign::negative;

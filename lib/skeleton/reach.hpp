@@ -15,6 +15,7 @@ struct Dismissed {
     EdgeId edge;
     VertexId vertex;
     int branch = 0;
+    EdgeId crossing;  ///< the second of two edges that cross
 
     friend bool operator==(const Dismissed&, const Dismissed&) = default;
 };
@@ -37,6 +38,8 @@ public:
     /// Considers the events at which lines touch some edge of the scene within the segment that ends
     /// at the stopping faces.
     void search_segment(const StoppingFaces& stopping, std::span<const Dismissed> dismissed);
+    /// Considers all events of the scene.
+    void search_all(std::span<const Dismissed> dismissed);
     /// Considers the events at which lines meet the lines of these edges.
     void search_edges(std::span<const EdgeId> edges);
 
@@ -45,7 +48,9 @@ public:
     [[nodiscard]] const Reach& reach() const { return reach_; }
 
 private:
-    [[nodiscard]] bool consider_edge(EdgeId e, bool everywhere);
+    bool consider_edge(EdgeId e, bool everywhere);
+    bool consider_crossings(EdgeId e, bool everywhere);
+    [[nodiscard]] bool contains_all(EdgeId e) const;
     bool consider_form(const EventForm& form, EdgeId e, bool everywhere);
     bool offer(Parameter&& t, EdgeId e, const EventForm& form, bool everywhere);
     [[nodiscard]] bool surely_outside(const Quadratic<Real>& q) const;

@@ -45,7 +45,7 @@ bool Sweep::meets_generators(const Curve& curve, const Parameter& t) const {
 std::vector<Sweep::Interval> Sweep::intervals(const Curve& curve) const {
     const Parameter zero = Parameter::dyadic(0);
     const Parameter one = Parameter::dyadic(1);
-    if (curve.kind() == CurveKind::vertex_pencil || curve.kind() == CurveKind::contact_pencil) {
+    if (curve.kind() != CurveKind::regulus && curve.kind() != CurveKind::plane_pencil) {
         return {{zero, one}};
     }
     std::vector<Parameter> cuts{zero, one};
@@ -83,32 +83,50 @@ void Sweep::explore(const Curve& curve, const Interval& interval, unsigned depth
     for (unsigned attempt = 0; attempt < 64; ++attempt) {
         const Parameter t = between(interval.first, interval.last, depth + attempt);
         const State state = look(curve, t);
-        Reach reach;
-        bool hit = false;
-        if (state.is_free) {
-            ReachSearch search(curve, interval.first, interval.last, t);
-            search.search_segment(state.stopping, {});
-            hit = search.hit_sample();
-            reach = search.reach();
-            if (!hit) follow_arc(curve, interval, t, state, reach);
-        } else {
-            reach = blocked_reach(curve, interval, t, state, hit);
-        }
-        if (hit) continue;
+        auto found = reach_of(curve, interval, t, state);
+        if (!found) continue;
+        Reach& reach = *found;
+        if (state.is_arc) follow_arc(curve, interval, t, state, reach);
         if (reach.left_is_event) explore(curve, {interval.first, reach.left}, depth + 1);
-        if (!state.is_free) blocked_.push_back(reach);
+        if (!state.is_arc) blocked_.push_back(reach);
         if (reach.right_is_event) explore(curve, {reach.right, interval.last}, depth + 1);
         return;
+    }
+}
+
+std::optional<Reach> Sweep::reach_of(const Curve& curve, const Interval& interval,
+                                     const Parameter& t, const State& state) const {
+    if (!state.is_free) {
+        bool hit = false;
+        Reach reach = blocked_reach(curve, interval, t, state, hit);
+        return hit ? std::nullopt : std::optional(std::move(reach));
+    }
+    ReachSearch search(curve, interval.first, interval.last, t);
+    search_free(search, curve, state, {});
+    return search.hit_sample() ? std::nullopt : std::optional(search.reach());
+}
+
+/// What touches no generator may make a free line one of a family in a contact's plane.
+void Sweep::search_free(ReachSearch& search, const Curve& curve, const State& state,
+                        std::span<const Dismissed> dismissed) const {
+    if (curve.contact().is_none()) {
+        search.search_segment(state.stopping, dismissed);
+    } else {
+        search.search_all(dismissed);
     }
 }
 
 Reach Sweep::blocked_reach(const Curve& curve, const Interval& interval, const Parameter& t,
                            const State& state, bool& hit) const {
     ReachSearch search(curve, interval.first, interval.last, t);
-    if (!state.blocker.is_none()) {
+    if (!curve.contact().is_none()) {
+        search.search_all({});
+    } else if (!state.blocker.is_none()) {
         search.search_edges(forms_.edges_of(state.blocker));
     } else if (!state.blocker_body.is_none()) {
         search.search_edges(forms_.edges_of(state.blocker_body));
+    } else {
+        search.search_all({});  // a seal between bodies, or sheets that join
     }
     hit = search.hit_sample();
     return search.reach();
@@ -120,9 +138,8 @@ void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Param
                        const State& state, Reach& reach) {
     std::vector<Dismissed> dismissed;
     while (true) {
-        const auto left = node_at(curve, reach.left, reach.left_is_event ? &state.label : nullptr);
-        const auto right =
-            node_at(curve, reach.right, reach.right_is_event ? &state.label : nullptr);
+        const auto left = node_at(curve, reach.left, reach.left_is_event ? &state : nullptr);
+        const auto right = node_at(curve, reach.right, reach.right_is_event ? &state : nullptr);
         if (left && right) {
             add_arcs(curve, state, reach, *left, *right);
             return;
@@ -131,7 +148,7 @@ void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Param
         if (!right && reach.right_is_event) dismissed.push_back(reach.right_event);
         if ((!left && !reach.left_is_event) || (!right && !reach.right_is_event)) return;
         ReachSearch search(curve, interval.first, interval.last, t);
-        search.search_segment(state.stopping, dismissed);
+        search_free(search, curve, state, dismissed);
         reach = search.reach();
     }
 }
@@ -143,19 +160,36 @@ void Sweep::add_arcs(const Curve& curve, const State& state, const Reach& reach,
         output_.add_arc({state.type, state.label, {NodeId{begin}, NodeId{end}}});
         begin = end;
     };
-    if (curve.kind() == CurveKind::vertex_pencil) {
+    if (curve.kind() == CurveKind::vertex_pencil || curve.kind() == CurveKind::contact_pencil) {
         for (const std::uint32_t node : dividing_nodes(curve, state, reach)) add(node);
     }
     add(right);
 }
 
-std::vector<EdgeId> Sweep::edges_round(VertexId v) const {
-    const auto own = forms_.scene().edges_at(v);
-    std::vector<EdgeId> edges(own.begin(), own.end());
-    for (const VertexId other : forms_.vertices_at(forms_.place(v))) {
-        if (other == v) continue;
-        const auto more = forms_.scene().edges_at(other);
-        edges.insert(edges.end(), more.begin(), more.end());
+/// The edges that end at a pencil's point or contain it.
+std::vector<EdgeId> Sweep::edges_round(const Curve& curve) const {
+    std::vector<EdgeId> edges;
+    const auto add = [&](EdgeId e) {
+        if (std::ranges::find(edges, e) == edges.end()) edges.push_back(e);
+    };
+    if (curve.kind() == CurveKind::contact_pencil) {
+        const EdgeId first = curve.edges()[1];
+        add(first);
+        add(curve.edges()[2]);
+        const auto point = crossing<Integer>(forms_, first, curve.edges()[2]);
+        for (const EdgeId e : forms_.crossing_edges(first)) {
+            const auto other = crossing<Integer>(forms_, first, e);
+            if (point.second * other.first == other.second * point.first) add(e);
+        }
+        return edges;
+    }
+    std::vector<VertexId> vertices{curve.vertex()};
+    for (const VertexId v : forms_.vertices_at(forms_.place(curve.vertex()))) {
+        vertices.push_back(v);
+    }
+    for (const VertexId v : vertices) {
+        for (const EdgeId e : forms_.scene().edges_at(v)) add(e);
+        for (const EdgeId e : forms_.edges_through(v)) add(e);
     }
     return edges;
 }
@@ -167,7 +201,7 @@ std::vector<std::uint32_t> Sweep::dividing_nodes(const Curve& curve, const State
         EdgeId a, b;
     };
     std::vector<Candidate> candidates;
-    const std::vector<EdgeId> edges = edges_round(curve.vertex());
+    const std::vector<EdgeId> edges = edges_round(curve);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const EventForm form{EventForm::Kind::edge_plane, edges[i].value, edges[j].value,
@@ -189,6 +223,7 @@ std::vector<std::uint32_t> Sweep::dividing_nodes(const Curve& curve, const State
     for (const Candidate& c : candidates) {
         if (last != nullptr && compare(policy_, *last, c.t) == Sign::zero) continue;
         for (const EdgeId e : state.label.support.edges) {
+            if (e == c.a || e == c.b) continue;
             const auto end = planar_end(curve, {c.a, c.b, e});
             if (!end || *end != node_at(curve, c.t, nullptr)) continue;
             nodes.push_back(*end);
@@ -199,41 +234,56 @@ std::vector<std::uint32_t> Sweep::dividing_nodes(const Curve& curve, const State
     return nodes;
 }
 
-/// The node in which an arc of lines that cross two edges at the curve's vertex, and a third edge, ends.
+/// The node in which an arc of lines in the plane of two edges round the curve's point, that meet a third edge,
+/// ends at that point.
 std::optional<std::uint32_t> Sweep::planar_end(const Curve& curve, std::array<EdgeId, 3> edges) {
-    const auto planar = Curve::through_edges(forms_, policy_, edges);
-    if (!planar || planar->kind() != CurveKind::plane_pencil) return std::nullopt;
-    if (planar->edges()[2] != edges[2]) return std::nullopt;
-    const bool at_source =
-        forms_.place(forms_.scene()[planar->base()].source) == forms_.place(curve.vertex());
-    const Parameter end = Parameter::dyadic(at_source ? 0 : 1);
-    for (const Interval& interval : intervals(*planar)) {
-        const Parameter& near = at_source ? interval.first : interval.last;
-        if (compare(policy_, near, end) != Sign::zero) continue;
-        if (!is_free_next_to(*planar, interval, at_source)) return std::nullopt;
-        return node_at(*planar, end, nullptr);
+    const auto crossed = Curve::through_edges(forms_, policy_, edges);
+    if (crossed && crossed->kind() == CurveKind::plane_pencil && crossed->edges()[2] == edges[2]) {
+        if (const auto end = planar_end(curve, *crossed)) return end;
+    }
+    for (const auto& plane : forms_.contact_planes()) {
+        const auto is_in_plane = [&](EdgeId e) {
+            return std::ranges::binary_search(plane.edges, e);
+        };
+        for (const EdgeId base : {edges[0], edges[1]}) {
+            if (!is_in_plane(base)) continue;
+            const auto pressed = Curve::in_face(forms_, policy_, plane.faces[0], base, edges[2]);
+            if (!pressed) continue;
+            if (const auto end = planar_end(curve, *pressed)) return end;
+        }
     }
     return std::nullopt;
 }
 
-/// The state of the lines of an interval that are nearer to one of its ends than any event.
-bool Sweep::is_free_next_to(const Curve& curve, Interval interval, bool at_left) {
+std::optional<std::uint32_t> Sweep::planar_end(const Curve& curve, const Curve& planar) {
+    const auto form = curve.kind() == CurveKind::contact_pencil
+                          ? planar.crossing_form(curve.edges()[1], curve.edges()[2])
+                          : planar.vertex_form(curve.vertex(), planar.base());
+    if (!form) return std::nullopt;
+    for (const Parameter& t : roots(planar, *form, planar.evaluate<Real>(*form))) {
+        for (const Interval& interval : intervals(planar)) {
+            const Sign after_first = compare(policy_, t, interval.first);
+            const Sign before_last = compare(policy_, interval.last, t);
+            if (after_first == Sign::negative || before_last == Sign::negative) continue;
+            const bool ends =
+                (after_first == Sign::positive &&
+                 is_arc_next_to(planar, {interval.first, t}, false)) ||
+                (before_last == Sign::positive && is_arc_next_to(planar, {t, interval.last}, true));
+            if (ends) return node_at(planar, t, nullptr);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Whether the lines of an interval that are nearer to one of its ends than any event make an arc.
+bool Sweep::is_arc_next_to(const Curve& curve, Interval interval, bool at_left) {
     for (unsigned attempt = 0; attempt < 64; ++attempt) {
         const Parameter t = between(interval.first, interval.last, attempt);
         const State state = look(curve, t);
-        bool hit = false;
-        Reach reach;
-        if (state.is_free) {
-            ReachSearch search(curve, interval.first, interval.last, t);
-            search.search_segment(state.stopping, {});
-            hit = search.hit_sample();
-            reach = search.reach();
-        } else {
-            reach = blocked_reach(curve, interval, t, state, hit);
-        }
-        if (hit) continue;
-        if (!(at_left ? reach.left_is_event : reach.right_is_event)) return state.is_free;
-        (at_left ? interval.last : interval.first) = at_left ? reach.left : reach.right;
+        const auto reach = reach_of(curve, interval, t, state);
+        if (!reach) continue;
+        if (!(at_left ? reach->left_is_event : reach->right_is_event)) return state.is_arc;
+        (at_left ? interval.last : interval.first) = at_left ? reach->left : reach->right;
     }
     return false;
 }
@@ -259,14 +309,36 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> Sweep::generator_places(
         last = std::max(last, place);
         return true;
     };
-    if (curve.kind() == CurveKind::vertex_pencil && !include(cut_.place_of(curve.vertex()))) {
+    if (curve.has_vertex() && !curve.vertex().is_none() &&
+        !include(cut_.place_of(curve.vertex()))) {
         return std::nullopt;
     }
     for (const EdgeId e : curve.edges()) {
         if (!include(cut_.place_of(e))) return std::nullopt;
     }
-    if (first == last) return std::nullopt;
+    if (first == last && curve.kind() != CurveKind::border_pencil) return std::nullopt;
     return std::pair{first, last};
+}
+
+/// The cut line's run that touches the generators; of a border pencil, the run that ends there, if it is not at
+/// the pencil's limit.
+std::optional<Run> Sweep::run_of(const Curve& curve, bool at_limit) const {
+    const auto places = generator_places(curve);
+    if (!places) return std::nullopt;
+    if (curve.kind() != CurveKind::border_pencil || at_limit) {
+        return cut_.run_through(places->first, places->second);
+    }
+    for (const Run& run : cut_.runs()) {
+        if (run.first == places->first || run.last == places->first) return run;
+    }
+    return std::nullopt;
+}
+
+/// Whether the contact behind the run is in the plane that the curve needs.
+bool Sweep::is_pressed(const Curve& curve, const std::vector<FaceId>& contact) const {
+    return curve.contact().is_none() || std::ranges::any_of(contact, [&](FaceId f) {
+               return f == curve.contact() || forms_.are_coplanar(f, curve.contact());
+           });
 }
 
 Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
@@ -275,40 +347,43 @@ Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
     const Line line(point.real_line(), point, policy_);
     KnownFeatures known;
     const VertexId vertex = curve.vertex();
-    if (curve.kind() == CurveKind::vertex_pencil) known.vertices = {&vertex, 1};
+    if (curve.has_vertex() && !vertex.is_none()) known.vertices = {&vertex, 1};
     known.edges = curve.edges();
     known.is_general = true;
     cut_.cut(line, known);
-    const auto places = generator_places(curve);
-    if (!places) return state;
-    const auto run = cut_.run_through(places->first, places->second);
+    const auto run = run_of(curve, false);
     if (!run) {
+        const auto places = generator_places(curve);
+        if (!places) return state;
         state.blocker = cut_.face_between(places->first, places->second);
         state.blocker_body = cut_.blocker_between(places->first, places->second);
         return state;
     }
     state.is_free = true;
     state.label = cut_.label(*run);
+    state.parts = cell_parts(forms_, cut_, *run);
+    state.is_arc = is_pressed(curve, state.parts.contact);
     state.type = arc_type(curve, cut_, *run, state.label);
     state.stopping = cut_.stopping_faces(*run);
     return state;
 }
 
 std::optional<std::uint32_t> Sweep::node_at(const Curve& curve, const Parameter& t,
-                                            const SegmentLabel* unless) {
+                                            const State* unless) {
     const CurvePoint point(curve, t);
     const Line line(point.real_line(), point, policy_);
     KnownFeatures known;
     const VertexId vertex = curve.vertex();
-    if (curve.kind() == CurveKind::vertex_pencil) known.vertices = {&vertex, 1};
+    if (curve.has_vertex() && !vertex.is_none()) known.vertices = {&vertex, 1};
     known.edges = curve.edges();
     cut_.cut(line, known);
-    const auto places = generator_places(curve);
-    if (!places) return std::nullopt;
-    const auto run = cut_.run_through(places->first, places->second);
+    const auto run = run_of(curve, true);
     if (!run) return std::nullopt;
     SegmentLabel label = cut_.label(*run);
-    if (unless != nullptr && label == *unless) return std::nullopt;
+    if (unless != nullptr && label == unless->label &&
+        cell_parts(forms_, cut_, *run) == unless->parts) {
+        return std::nullopt;
+    }
     SkeletonNode node = describe_node(forms_, cut_, *run, line, std::move(label));
     node.root = root_of(curve, t, line, node);
     const auto [number, is_new] = output_.add_node(std::move(node));

@@ -25,6 +25,15 @@ struct NearEdge {
     VertexId vertex;  ///< the end at the node; none when the edge is met inside
 };
 
+/// What tells cells with equal labels apart where bodies touch: which features are met at one place, and the
+/// faces between which what is blocked behind the ends runs. Empty when no bodies touch.
+struct CellParts {
+    std::vector<std::vector<std::pair<Feature, std::uint32_t>>> places;
+    std::vector<FaceId> contact;
+
+    friend bool operator==(const CellParts&, const CellParts&) = default;
+};
+
 /// Receives what a sweep finds.
 struct SweepOutput {
     /// Returns a number for the node, the same for equal nodes, and whether it is new.
@@ -47,7 +56,9 @@ private:
     /// The line at one parameter between events.
     struct State {
         bool is_free = false;
+        bool is_arc = false;  ///< else free, but not by the family's conditions alone
         SegmentLabel label;
+        CellParts parts;
         ArcType type{};
         StoppingFaces stopping;
         FaceId blocker;       ///< crossed inside between the generators
@@ -56,6 +67,11 @@ private:
     [[nodiscard]] std::vector<Interval> intervals(const Curve& curve) const;
     [[nodiscard]] bool meets_generators(const Curve& curve, const Parameter& t) const;
     void explore(const Curve& curve, const Interval& interval, unsigned depth);
+    /// How far the state at t reaches, if no event is at t itself.
+    [[nodiscard]] std::optional<Reach> reach_of(const Curve& curve, const Interval& interval,
+                                                const Parameter& t, const State& state) const;
+    void search_free(ReachSearch& search, const Curve& curve, const State& state,
+                     std::span<const Dismissed> dismissed) const;
     [[nodiscard]] State look(const Curve& curve, const Parameter& t);
     void follow_arc(const Curve& curve, const Interval& interval, const Parameter& t,
                     const State& state, Reach& reach);
@@ -64,16 +80,19 @@ private:
     /// Where planar arcs past v end on the arc (rule 3 of VisibilitySkeleton), from left to right.
     [[nodiscard]] std::vector<std::uint32_t> dividing_nodes(const Curve& curve, const State& state,
                                                             const Reach& reach);
+    [[nodiscard]] std::optional<std::uint32_t> planar_end(const Curve& curve, const Curve& planar);
     [[nodiscard]] std::optional<std::uint32_t> planar_end(const Curve& curve,
                                                           std::array<EdgeId, 3> edges);
-    [[nodiscard]] bool is_free_next_to(const Curve& curve, Interval interval, bool at_left);
-    [[nodiscard]] std::vector<EdgeId> edges_round(VertexId v) const;
+    [[nodiscard]] bool is_arc_next_to(const Curve& curve, Interval interval, bool at_left);
+    [[nodiscard]] std::vector<EdgeId> edges_round(const Curve& curve) const;
     [[nodiscard]] Reach blocked_reach(const Curve& curve, const Interval& interval,
                                       const Parameter& t, const State& state, bool& hit) const;
     [[nodiscard]] std::optional<std::uint32_t> node_at(const Curve& curve, const Parameter& t,
-                                                       const SegmentLabel* unless);
+                                                       const State* unless);
     [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> generator_places(
         const Curve& curve) const;
+    [[nodiscard]] std::optional<Run> run_of(const Curve& curve, bool at_limit) const;
+    [[nodiscard]] bool is_pressed(const Curve& curve, const std::vector<FaceId>& contact) const;
     void find_lonely_nodes(const Curve& curve);
     void leave_node(const Line& line, const Run& run);
     [[nodiscard]] bool lies_in_plane(const Line& line, EdgeId a, EdgeId b) const;
@@ -96,7 +115,6 @@ void find_near_edges(const SceneForms& forms, const LineCut& cut, const Run& run
 [[nodiscard]] ArcType arc_type(const Curve& curve, const LineCut& cut, const Run& run,
                                const SegmentLabel& label);
 
-/// Pairs of edges of touching bodies that cross in a point inside both.
-[[nodiscard]] std::vector<std::pair<EdgeId, EdgeId>> edge_crossings(const SceneForms& forms);
+[[nodiscard]] CellParts cell_parts(const SceneForms& forms, const LineCut& cut, const Run& run);
 
 }  // namespace sightline::detail

@@ -321,17 +321,14 @@ void LineCut::seal() {
     for (std::uint32_t piece = 1; piece < place_count_; ++piece) {
         if (blocked_[piece]) continue;
         along.clear();
-        BodyId body;
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Touch& t = touches_[i];
             if (t.place >= piece || t.after.where != LocalState::Where::on) continue;
             if (!is_last_before(i, piece) || is_sheet(t.body)) continue;
             along.push_back(t.after);
-            body = t.body;
         }
         if (along.size() < 2 || !is_sealed(*forms_, *line_, along)) continue;
-        blocked_[piece] = true;
-        blocker_[piece] = body;
+        blocked_[piece] = true;  // by no body alone
     }
 }
 
@@ -385,7 +382,7 @@ std::uint32_t LineCut::place_of(VertexId v) const {
 
 BodyId LineCut::blocker_between(std::uint32_t first, std::uint32_t last) const {
     for (std::uint32_t piece = first + 1; piece <= last; ++piece) {
-        if (blocked_[piece]) return blocker_[piece];
+        if (blocked_[piece] && !blocker_[piece].is_none()) return blocker_[piece];
     }
     return BodyId::none();
 }
@@ -467,17 +464,42 @@ SegmentEnd LineCut::end_at(std::uint32_t place, std::uint32_t piece, Heading tow
         }
     }
     // Bodies along whose faces the blocked piece runs bound it too, without a contact at the place.
-    for (std::size_t i = 0; blocked_[piece] && i < touches_.size(); ++i) {
-        const Touch& t = touches_[i];
-        if (t.place < piece && is_last_before(i, piece) && t.after.where == LocalState::Where::on) {
-            if (is_sheet(t.body)) continue;
-            for (const FaceId f : t.after.faces) add(f);
-        }
-    }
+    std::vector<FaceId> contact;
+    add_contact(piece, contact);
+    for (const FaceId f : contact) add(f);
     std::ranges::sort(end);
     const auto repeated = std::ranges::unique(end);
     end.erase(repeated.begin(), repeated.end());
     return end;
+}
+
+void LineCut::add_contact(std::uint32_t piece, std::vector<FaceId>& faces) const {
+    for (std::size_t i = 0; blocked_[piece] && i < touches_.size(); ++i) {
+        const Touch& t = touches_[i];
+        if (t.place >= piece || t.after.where != LocalState::Where::on) continue;
+        if (!is_last_before(i, piece) || is_sheet(t.body)) continue;
+        for (const FaceId f : t.after.faces) {
+            if (!f.is_none()) faces.push_back(f);
+        }
+    }
+}
+
+std::vector<FaceId> LineCut::contact_faces(const Run& run) const {
+    std::vector<FaceId> faces;
+    if (run.first != Run::none) add_contact(run.first, faces);
+    if (run.last != Run::none) add_contact(run.last + 1, faces);
+    std::ranges::sort(faces);
+    const auto repeated = std::ranges::unique(faces);
+    faces.erase(repeated.begin(), repeated.end());
+    return faces;
+}
+
+bool LineCut::runs_along(EdgeId e, std::uint32_t place) const {
+    if (std::ranges::find(collinear_, e) == collinear_.end()) return false;
+    const Edge3& edge = forms_->scene()[e];
+    const std::uint32_t a = place_of(edge.source);
+    const std::uint32_t b = place_of(edge.target);
+    return std::min(a, b) < place && place < std::max(a, b);
 }
 
 // Whether touch i, before the piece, is the last one of its body there, which tells how it goes on.

@@ -78,7 +78,12 @@ public:
     /// What stops a segment that arrives at a place where the next piece is blocked, or a sheet crossed.
     [[nodiscard]] SegmentEnd end_at(std::uint32_t place, std::uint32_t blocked_piece,
                                     Heading towards) const;
-    /// A body that blocks some piece between two places; none when they see each other.
+    /// The faces in which what is blocked behind the run's ends runs, between solids pressed on each other;
+    /// ascending.
+    [[nodiscard]] std::vector<FaceId> contact_faces(const Run& run) const;
+    /// Whether the line runs along an edge on both sides of a place.
+    [[nodiscard]] bool runs_along(EdgeId e, std::uint32_t place) const;
+    /// A body that blocks some piece between two places by itself; none when there is none.
     [[nodiscard]] BodyId blocker_between(std::uint32_t first, std::uint32_t last) const;
     /// A face that the line crosses inside, strictly between two places; none when there is none.
     [[nodiscard]] FaceId face_between(std::uint32_t first, std::uint32_t last) const;
@@ -113,6 +118,7 @@ private:
     [[nodiscard]] bool is_last_before(std::size_t touch, std::uint32_t piece) const;
     void find_runs();
     [[nodiscard]] BodyId body_of(const Contact& c) const;
+    void add_contact(std::uint32_t piece, std::vector<FaceId>& faces) const;
     [[nodiscard]] bool stops(BodyId body, std::uint32_t place, std::uint32_t piece) const;
     [[nodiscard]] Integer axis_form(const Contact& c, PlaneOf<Integer>& plane) const;
     void add_support(const Run& run, Support& support) const;

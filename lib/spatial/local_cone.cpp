@@ -272,7 +272,10 @@ Wedge section(const SceneForms& forms, const Vec3<Integer>& d, const LocalState&
 }  // namespace
 
 bool is_sealed(const SceneForms& forms, const Line& line, const std::vector<LocalState>& along) {
-    const Vec3<Integer>& d = line.exact().a.d;
+    // An irrational line lies in rational planes only along both of its parts.
+    const ExactLine& exact = line.exact();
+    const auto is_zero = [](const Integer& x) { return sgn(x) == 0; };
+    const Vec3<Integer>& d = std::ranges::all_of(exact.a.d, is_zero) ? exact.b.d : exact.a.d;
     std::vector<Wedge> wedges;
     for (const LocalState& state : along) {
         if (!state.faces[1].is_none() && state.shape != EdgeShape::convex &&

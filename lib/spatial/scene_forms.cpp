@@ -47,6 +47,7 @@ SceneForms::SceneForms(const Scene3& scene) : scene_(&scene) {
     find_shapes();
     find_places();
     find_boxes();
+    find_contacts();
 }
 
 void SceneForms::find_points() {

@@ -95,6 +95,33 @@ public:
         if (found == shared_places_.end()) return {};
         return found->second;
     }
+    /// Pairs of edges of touching bodies that cross in a point inside both, ascending.
+    [[nodiscard]] std::span<const std::pair<EdgeId, EdgeId>> crossings() const {
+        return crossings_;
+    }
+    /// The edges that cross e inside both.
+    [[nodiscard]] std::span<const EdgeId> crossing_edges(EdgeId e) const {
+        if (crossing_edges_.empty()) return {};
+        return crossing_edges_[e.index()];
+    }
+    /// The edges of other bodies that have v between their ends.
+    [[nodiscard]] std::span<const EdgeId> edges_through(VertexId v) const {
+        if (edges_through_.empty()) return {};
+        return edges_through_[v.index()];
+    }
+    /// The vertices of other bodies between the ends of e.
+    [[nodiscard]] std::span<const VertexId> vertices_inside(EdgeId e) const {
+        if (vertices_inside_.empty()) return {};
+        return vertices_inside_[e.index()];
+    }
+    /// Planes in which faces of two solids may be pressed on each other; with these faces and their edges.
+    struct ContactPlane {
+        std::vector<FaceId> faces;
+        std::vector<EdgeId> edges;
+    };
+    [[nodiscard]] std::span<const ContactPlane> contact_planes() const { return contact_planes_; }
+    [[nodiscard]] bool are_coplanar(FaceId f, FaceId g) const;
+    [[nodiscard]] bool are_parallel(EdgeId a, EdgeId b) const;
     [[nodiscard]] const Bvh& triangles() const { return triangles_; }
     [[nodiscard]] const Bvh& edges() const { return edges_; }
     /// Exact coordinates are the input's times 2^scale_exponent.
@@ -107,6 +134,9 @@ private:
     void find_shapes();
     void find_places();
     void find_boxes();
+    void find_contacts();
+    void find_edge_contacts();
+    void find_face_contacts();
 
     const Scene3* scene_;
     int scale_exponent_ = 0;
@@ -124,6 +154,10 @@ private:
     std::vector<std::vector<EdgeId>> body_edges_;
     std::vector<VertexId> places_;
     std::map<VertexId, std::vector<VertexId>> shared_places_;
+    std::vector<std::pair<EdgeId, EdgeId>> crossings_;
+    std::vector<std::vector<EdgeId>> crossing_edges_, edges_through_;  // empty when nothing touches
+    std::vector<std::vector<VertexId>> vertices_inside_;
+    std::vector<ContactPlane> contact_planes_;
     Bvh triangles_;
     Bvh edges_;
 };

@@ -39,13 +39,9 @@ std::optional<Position> centre_of(const SkeletonArc& arc, std::span<const Ration
 /// The line of a node, among those that its support and its faces allow.
 std::optional<SurdLine3> line_of(const SkeletonNode& node, const Scene3& scene,
                                  SkeletonGeometry& geometry) {
-    const LineFamilies all = families_of(node.label.support, scene);
-    for (const FaceId f : node.faces) {
-        for (const Swath& swath : all.swaths) {
-            if (swath.is_regulus()) continue;
-            const RationalLine3 line = sightline::line_of(swath.plane(), plane_of(f, scene));
-            if (line.is_line() && swath.contains(line)) return scaled(to_surd(line));
-        }
+    if (!node.faces.empty() && node.root == Root::only) {
+        const auto lines = lines_of(node.label.support, node.faces, scene);
+        if (lines.size() == 1) return lines[0];
     }
     return geometry.line(node);
 }

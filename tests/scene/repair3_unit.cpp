@@ -79,6 +79,13 @@ TEST(Repair3, CutsBentFaces) {
     EXPECT_EQ(result->scene.faces().size(), 7u) << "two sides contain the corner's way up";
 }
 
+TEST(Repair3, LeavesBentFacesThatFoldOverThemselves) {
+    // Seen along z, vertices 2 and 3 are at one place.
+    const MeshInput3 sheet = mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 1, 5}, {1, 1, 0}, {0, 2, 0}},
+                                     {{0, 1, 2, 3, 4}}, SurfaceKind::sheet);
+    EXPECT_EQ(repaired({sheet}).error().code, Errc::non_planar);
+}
+
 TEST(Repair3, TurnsFacesAndSolids) {
     MeshInput3 one_face = unit_cube();
     std::ranges::reverse(one_face.faces[4]);

@@ -108,6 +108,17 @@ TEST(Scene3, ABridgeToAHoleIsNoEdge) {
     EXPECT_EQ(std::ranges::count(scene.triangles(), FaceId{1}, &Triangle3::face), 8);
 }
 
+TEST(Scene3, FacesOfAllShapesMergeAndBridgesMayBeMerged) {
+    // A square with a hole over a bridge, and the hole's filling.
+    MeshInput3 mesh = mesh_of(
+        {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}},
+        {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}, {4, 7, 6, 5}}, SurfaceKind::sheet);
+    const Scene3 scene = scene3_of({mesh});
+    ASSERT_EQ(scene.faces().size(), 1u);
+    EXPECT_EQ(scene.edges().size(), 4u);
+    EXPECT_EQ(scene.triangles().size(), 2u);
+}
+
 TEST(Scene3, TrianglesCoverAFaceThatIsNotConvex) {
     const Scene3 scene = scene3_of({prism({{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}}, 0, 1)});
     double area = 0;
@@ -251,6 +262,10 @@ INSTANTIATE_TEST_SUITE_P(
                 mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}},
                         SurfaceKind::sheet),
                 Errc::self_intersection, "crosses itself"},
+        Refused{"BowtieAmongCoplanarFaces",
+                mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, -1, 0}, {0.5, 2, 0}},
+                        {{0, 1, 2, 3}, {0, 4, 1}, {2, 5, 3}}, SurfaceKind::sheet),
+                Errc::self_intersection, "face 0: its boundary crosses itself"},
         Refused{"NoFaces", mesh_of({{0, 0, 0}}, {}), Errc::empty_scene, "no faces"}),
     [](const auto& test) { return test.param.name; });
 

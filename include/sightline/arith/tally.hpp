@@ -23,6 +23,8 @@ enum class Predicate : std::uint8_t {
     transversals3,         ///< whether lines meet four segments, and where
     line_form3,            ///< sign of a linear form on a constructed line
     curve_parameter3,      ///< roots on a one-parameter family of lines, and their order
+    image_orientation3,    ///< side of a plane through the viewpoint and two points
+    constructed_order3,    ///< order along an edge of where other edges pass before it
     count_
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <iosfwd>
+#include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -91,5 +92,10 @@ std::ostream& operator<<(std::ostream& out, const CriticalLine& line);
 /// The isolated lines of families_of that meet the relative interiors of the edges: where the nodes with this
 /// support lie, ascending.
 [[nodiscard]] std::vector<SurdLine3> lines_of(const Support& support, const Scene3& scene);
+
+/// The same for lines that lie in the planes of faces, too: what touches only a corner of a face, in its plane, is
+/// fixed by that plane.
+[[nodiscard]] std::vector<SurdLine3> lines_of(const Support& support, std::span<const FaceId> faces,
+                                              const Scene3& scene);
 
 }  // namespace sightline
