@@ -8,7 +8,7 @@
 namespace sightline::detail {
 
 void ReachSearch::search_segment(const StoppingFaces& stopping,
-                                 std::span<const Dismissed> dismissed) {
+                                 std::span<const EventName> dismissed) {
     stopping_ = &stopping;
     dismissed_ = dismissed;
     const auto low = [&] { return std::max(reach_.left.lower(), 0.0); };
@@ -19,7 +19,7 @@ void ReachSearch::search_segment(const StoppingFaces& stopping,
     });
 }
 
-void ReachSearch::search_all(std::span<const Dismissed> dismissed) {
+void ReachSearch::search_all(std::span<const EventName> dismissed) {
     dismissed_ = dismissed;
     for (std::uint32_t e = 0; e < curve_.forms().edge_count(); ++e) {
         consider_edge(EdgeId{e}, true);
@@ -89,7 +89,7 @@ bool ReachSearch::consider_form(const EventForm& form, EdgeId e, bool everywhere
 
 bool ReachSearch::offer(Parameter&& t, EdgeId e, const EventForm& form, bool everywhere) {
     const bool is_crossing = form.kind == EventForm::Kind::crossing_axis;
-    const Dismissed name{e, form.vertex, t.branch(),
+    const EventName name{e, form.vertex, t.branch(),
                          is_crossing ? EdgeId{form.other} : EdgeId::none()};
     if (std::ranges::find(dismissed_, name) != dismissed_.end()) return false;
     const Sign side = compare(policy_, t, sample_);

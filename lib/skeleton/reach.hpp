@@ -10,14 +10,14 @@
 
 namespace sightline::detail {
 
-/// An event that has turned out not to concern the segment.
-struct Dismissed {
+/// What happens at an event: the line meets the edge's line, and the vertex when there is one.
+struct EventName {
     EdgeId edge;
     VertexId vertex;
     int branch = 0;
     EdgeId crossing;  ///< the second of two edges that cross
 
-    friend bool operator==(const Dismissed&, const Dismissed&) = default;
+    friend bool operator==(const EventName&, const EventName&) = default;
 };
 
 /// How far a state reaches round a sample: to the nearest events, or to the ends of the interval.
@@ -25,21 +25,30 @@ struct Reach {
     Parameter left, right;
     bool left_is_event = false;
     bool right_is_event = false;
-    Dismissed left_event, right_event;
+    /// What happens there, at the interval's ends too.
+    EventName left_event, right_event;
+};
+
+/// A piece of a curve, between events.
+struct CurveInterval {
+    Parameter first, last;
+    EventName first_event, last_event;
 };
 
 class ReachSearch {
 public:
-    ReachSearch(const Curve& curve, const Parameter& first, const Parameter& last,
-                const Parameter& sample)
-        : curve_(curve), policy_(curve.policy()), sample_(sample), reach_{first, last, false,
-                                                                          false, {},   {}} {}
+    ReachSearch(const Curve& curve, const CurveInterval& interval, const Parameter& sample)
+        : curve_(curve),
+          policy_(curve.policy()),
+          sample_(sample),
+          reach_{interval.first, interval.last,        false,
+                 false,          interval.first_event, interval.last_event} {}
 
     /// Considers the events at which lines touch some edge of the scene within the segment that ends
     /// at the stopping faces.
-    void search_segment(const StoppingFaces& stopping, std::span<const Dismissed> dismissed);
+    void search_segment(const StoppingFaces& stopping, std::span<const EventName> dismissed);
     /// Considers all events of the scene.
-    void search_all(std::span<const Dismissed> dismissed);
+    void search_all(std::span<const EventName> dismissed);
     /// Considers the events at which lines meet the lines of these edges.
     void search_edges(std::span<const EdgeId> edges);
 
@@ -62,7 +71,7 @@ private:
     Reach reach_;
     bool hit_sample_ = false;
     const StoppingFaces* stopping_ = nullptr;
-    std::span<const Dismissed> dismissed_;
+    std::span<const EventName> dismissed_;
 };
 
 }  // namespace sightline::detail

@@ -43,12 +43,22 @@ bool Sweep::meets_generators(const Curve& curve, const Parameter& t) const {
 }
 
 std::vector<Sweep::Interval> Sweep::intervals(const Curve& curve) const {
-    const Parameter zero = Parameter::dyadic(0);
-    const Parameter one = Parameter::dyadic(1);
-    if (curve.kind() != CurveKind::regulus && curve.kind() != CurveKind::plane_pencil) {
-        return {{zero, one}};
+    struct Cut {
+        Parameter t;
+        VertexId vertex;
+    };
+    std::vector<Cut> cuts{{Parameter::dyadic(0), {}}, {Parameter::dyadic(1), {}}};
+    if (curve.kind() != CurveKind::border_pencil) {
+        const Edge3& base = forms_.scene()[curve.base()];
+        cuts[0].vertex = base.source;
+        cuts[1].vertex = base.target;
     }
-    std::vector<Parameter> cuts{zero, one};
+    const auto interval = [](const Cut& a, const Cut& b) -> Interval {
+        return {a.t, b.t, {EdgeId::none(), a.vertex, 0, {}}, {EdgeId::none(), b.vertex, 0, {}}};
+    };
+    if (curve.kind() != CurveKind::regulus && curve.kind() != CurveKind::plane_pencil) {
+        return {interval(cuts[0], cuts[1])};
+    }
     const std::size_t count = curve.kind() == CurveKind::regulus ? 3 : 2;
     for (std::size_t i = 1; i < count; ++i) {
         const EdgeId e = curve.edges()[i];
@@ -56,23 +66,26 @@ std::vector<Sweep::Interval> Sweep::intervals(const Curve& curve) const {
             const auto form = curve.vertex_form(v, e);
             if (!form) continue;
             for (Parameter& t : roots(curve, *form, curve.evaluate<Real>(*form))) {
-                if (compare(policy_, t, zero) != Sign::positive) continue;
-                if (compare(policy_, t, one) != Sign::negative) continue;
-                cuts.push_back(std::move(t));
+                if (compare(policy_, t, cuts[0].t) != Sign::positive) continue;
+                if (compare(policy_, t, cuts[1].t) != Sign::negative) continue;
+                cuts.push_back({std::move(t), v});
             }
         }
     }
+    const auto is_before = [&](const Cut& a, const Cut& b) {
+        return compare(policy_, a.t, b.t) == Sign::negative;
+    };
+    // Insertion sort: plain doubles may order inconsistently.
     for (std::size_t i = 1; i < cuts.size(); ++i) {
-        for (std::size_t j = i; j > 0 && compare(policy_, cuts[j], cuts[j - 1]) == Sign::negative;
-             --j) {
+        for (std::size_t j = i; j > 0 && is_before(cuts[j], cuts[j - 1]); --j) {
             std::swap(cuts[j], cuts[j - 1]);
         }
     }
     std::vector<Interval> result;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        if (compare(policy_, cuts[i], cuts[i + 1]) != Sign::negative) continue;
-        if (meets_generators(curve, between(cuts[i], cuts[i + 1]))) {
-            result.push_back({cuts[i], cuts[i + 1]});
+        if (!is_before(cuts[i], cuts[i + 1])) continue;
+        if (meets_generators(curve, between(cuts[i].t, cuts[i + 1].t))) {
+            result.push_back(interval(cuts[i], cuts[i + 1]));
         }
     }
     return result;
@@ -87,9 +100,15 @@ void Sweep::explore(const Curve& curve, const Interval& interval, unsigned depth
         if (!found) continue;
         Reach& reach = *found;
         if (state.is_arc) follow_arc(curve, interval, t, state, reach);
-        if (reach.left_is_event) explore(curve, {interval.first, reach.left}, depth + 1);
+        if (reach.left_is_event) {
+            explore(curve, {interval.first, reach.left, interval.first_event, reach.left_event},
+                    depth + 1);
+        }
         if (!state.is_arc) blocked_.push_back(reach);
-        if (reach.right_is_event) explore(curve, {reach.right, interval.last}, depth + 1);
+        if (reach.right_is_event) {
+            explore(curve, {reach.right, interval.last, reach.right_event, interval.last_event},
+                    depth + 1);
+        }
         return;
     }
 }
@@ -101,14 +120,14 @@ std::optional<Reach> Sweep::reach_of(const Curve& curve, const Interval& interva
         Reach reach = blocked_reach(curve, interval, t, state, hit);
         return hit ? std::nullopt : std::optional(std::move(reach));
     }
-    ReachSearch search(curve, interval.first, interval.last, t);
+    ReachSearch search(curve, interval, t);
     search_free(search, curve, state, {});
     return search.hit_sample() ? std::nullopt : std::optional(search.reach());
 }
 
 /// What touches no generator may make a free line one of a family in a contact's plane.
 void Sweep::search_free(ReachSearch& search, const Curve& curve, const State& state,
-                        std::span<const Dismissed> dismissed) const {
+                        std::span<const EventName> dismissed) const {
     if (curve.contact().is_none()) {
         search.search_segment(state.stopping, dismissed);
     } else {
@@ -118,7 +137,7 @@ void Sweep::search_free(ReachSearch& search, const Curve& curve, const State& st
 
 Reach Sweep::blocked_reach(const Curve& curve, const Interval& interval, const Parameter& t,
                            const State& state, bool& hit) const {
-    ReachSearch search(curve, interval.first, interval.last, t);
+    ReachSearch search(curve, interval, t);
     if (!curve.contact().is_none()) {
         search.search_all({});
     } else if (!state.blocker.is_none()) {
@@ -136,10 +155,12 @@ Reach Sweep::blocked_reach(const Curve& curve, const Interval& interval, const P
 /// search goes on behind them.
 void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Parameter& t,
                        const State& state, Reach& reach) {
-    std::vector<Dismissed> dismissed;
+    std::vector<EventName> dismissed;
     while (true) {
-        const auto left = node_at(curve, reach.left, reach.left_is_event ? &state : nullptr);
-        const auto right = node_at(curve, reach.right, reach.right_is_event ? &state : nullptr);
+        const auto left =
+            node_at(curve, reach.left, reach.left_event, reach.left_is_event ? &state : nullptr);
+        const auto right =
+            node_at(curve, reach.right, reach.right_event, reach.right_is_event ? &state : nullptr);
         if (left && right) {
             add_arcs(curve, state, reach, *left, *right);
             return;
@@ -147,7 +168,7 @@ void Sweep::follow_arc(const Curve& curve, const Interval& interval, const Param
         if (!left && reach.left_is_event) dismissed.push_back(reach.left_event);
         if (!right && reach.right_is_event) dismissed.push_back(reach.right_event);
         if ((!left && !reach.left_is_event) || (!right && !reach.right_is_event)) return;
-        ReachSearch search(curve, interval.first, interval.last, t);
+        ReachSearch search(curve, interval, t);
         search_free(search, curve, state, dismissed);
         reach = search.reach();
     }
@@ -225,7 +246,7 @@ std::vector<std::uint32_t> Sweep::dividing_nodes(const Curve& curve, const State
         for (const EdgeId e : state.label.support.edges) {
             if (e == c.a || e == c.b) continue;
             const auto end = planar_end(curve, {c.a, c.b, e});
-            if (!end || *end != node_at(curve, c.t, nullptr)) continue;
+            if (!end || *end != node_at(curve, c.t, {}, nullptr)) continue;
             nodes.push_back(*end);
             last = &c.t;
             break;
@@ -265,11 +286,11 @@ std::optional<std::uint32_t> Sweep::planar_end(const Curve& curve, const Curve& 
             const Sign after_first = compare(policy_, t, interval.first);
             const Sign before_last = compare(policy_, interval.last, t);
             if (after_first == Sign::negative || before_last == Sign::negative) continue;
-            const bool ends =
-                (after_first == Sign::positive &&
-                 is_arc_next_to(planar, {interval.first, t}, false)) ||
-                (before_last == Sign::positive && is_arc_next_to(planar, {t, interval.last}, true));
-            if (ends) return node_at(planar, t, nullptr);
+            const bool ends = (after_first == Sign::positive &&
+                               is_arc_next_to(planar, {interval.first, t, {}, {}}, false)) ||
+                              (before_last == Sign::positive &&
+                               is_arc_next_to(planar, {t, interval.last, {}, {}}, true));
+            if (ends) return node_at(planar, t, {}, nullptr);
         }
     }
     return std::nullopt;
@@ -295,7 +316,7 @@ void Sweep::find_lonely_nodes(const Curve& curve) {
         const Reach& right = blocked_[i];
         if (!left.right_is_event || !right.left_is_event) continue;
         if (compare(policy_, left.right, right.left) != Sign::zero) continue;
-        (void)node_at(curve, left.right, nullptr);
+        (void)node_at(curve, left.right, left.right_event, nullptr);
     }
 }
 
@@ -350,7 +371,12 @@ Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
     if (curve.has_vertex() && !vertex.is_none()) known.vertices = {&vertex, 1};
     known.edges = curve.edges();
     known.is_general = true;
+    known.only_their_segment = true;
     cut_.cut(line, known);
+    if (!cut_.blocking_face().is_none()) {
+        state.blocker = cut_.blocking_face();
+        return state;
+    }
     const auto run = run_of(curve, false);
     if (!run) {
         const auto places = generator_places(curve);
@@ -369,14 +395,18 @@ Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
 }
 
 std::optional<std::uint32_t> Sweep::node_at(const Curve& curve, const Parameter& t,
-                                            const State* unless) {
+                                            const EventName& at, const State* unless) {
     const CurvePoint point(curve, t);
     const Line line(point.real_line(), point, policy_);
     KnownFeatures known;
     const VertexId vertex = curve.vertex();
     if (curve.has_vertex() && !vertex.is_none()) known.vertices = {&vertex, 1};
     known.edges = curve.edges();
+    known.only_their_segment = true;
+    known.also_edge = at.edge;
+    known.also_vertex = at.vertex;
     cut_.cut(line, known);
+    if (!cut_.blocking_face().is_none()) return std::nullopt;
     const auto run = run_of(curve, true);
     if (!run) return std::nullopt;
     SegmentLabel label = cut_.label(*run);

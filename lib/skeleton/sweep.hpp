@@ -50,9 +50,7 @@ public:
     void run(const Curve& curve);
 
 private:
-    struct Interval {
-        Parameter first, last;
-    };
+    using Interval = CurveInterval;
     /// The line at one parameter between events.
     struct State {
         bool is_free = false;
@@ -71,7 +69,7 @@ private:
     [[nodiscard]] std::optional<Reach> reach_of(const Curve& curve, const Interval& interval,
                                                 const Parameter& t, const State& state) const;
     void search_free(ReachSearch& search, const Curve& curve, const State& state,
-                     std::span<const Dismissed> dismissed) const;
+                     std::span<const EventName> dismissed) const;
     [[nodiscard]] State look(const Curve& curve, const Parameter& t);
     void follow_arc(const Curve& curve, const Interval& interval, const Parameter& t,
                     const State& state, Reach& reach);
@@ -88,7 +86,7 @@ private:
     [[nodiscard]] Reach blocked_reach(const Curve& curve, const Interval& interval,
                                       const Parameter& t, const State& state, bool& hit) const;
     [[nodiscard]] std::optional<std::uint32_t> node_at(const Curve& curve, const Parameter& t,
-                                                       const State* unless);
+                                                       const EventName& at, const State* unless);
     [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> generator_places(
         const Curve& curve) const;
     [[nodiscard]] std::optional<Run> run_of(const Curve& curve, bool at_limit) const;

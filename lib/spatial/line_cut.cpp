@@ -2,6 +2,8 @@
 #include "spatial/line_cut.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "spatial/line_box.hpp"
 
@@ -22,8 +24,9 @@ LineCut::LineCut(const SceneForms& forms)
 
 void LineCut::cut(const Line& line, const KnownFeatures& known) {
     line_ = &line;
-    collect(known);
     find_axis();
+    collect(known);
+    if (!blocking_.is_none()) return;
     position_contacts();
     sort_into_places();
     find_touches();
@@ -43,6 +46,11 @@ void LineCut::assume(const KnownFeatures& known) {
             if (known.is_general) edge_stamp_[e.index()] = stamp_;
         }
     }
+    if (!known.also_vertex.is_none()) {
+        add_vertex(known.also_vertex);
+        for (const EdgeId e : forms_->scene().edges_at(known.also_vertex)) meets(e);
+    }
+    if (!known.also_edge.is_none()) meets(known.also_edge);
     for (const EdgeId e : known.edges) {
         meets(e);
         if (!known.is_general || edge_stamp_[e.index()] == stamp_) continue;
@@ -55,9 +63,79 @@ void LineCut::collect(const KnownFeatures& known) {
     contacts_.clear();
     collinear_.clear();
     ++stamp_;
+    blocking_ = FaceId::none();
+    window_low_ = -std::numeric_limits<double>::infinity();
+    window_high_ = std::numeric_limits<double>::infinity();
     assume(known);
+    if (known.only_their_segment && find_window(known)) {
+        collect_near(known);
+        return;
+    }
     const LineBoxTest meets(line_->real());
     forms_->triangles().traverse(meets, [&](std::uint32_t t) { add_triangle(t); });
+}
+
+/// Where the known features lie along the line; false when the filter cannot tell.
+bool LineCut::find_window(const KnownFeatures& known) {
+    first_ = std::numeric_limits<double>::infinity();
+    last_ = -first_;
+    window_low_ = -first_;
+    window_high_ = first_;
+    const auto include = [&](const Real& x) {
+        first_ = std::min(first_, x.lower());
+        last_ = std::max(last_, x.upper());
+        return std::isfinite(x.lower()) && std::isfinite(x.upper());
+    };
+    bool known_all = true;
+    for (const VertexId v : known.vertices) {
+        known_all = include(forms_->point<Real>(v)[axis_]) && known_all;
+    }
+    for (const EdgeId e : known.edges) {
+        known_all = include(position_of({Feature::edge, e.value, Real{}, 0})) && known_all;
+    }
+    return known_all && first_ <= last_;
+}
+
+/// From the known features outwards, up to what surely stops the segment.
+void LineCut::collect_near(const KnownFeatures& known) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const LineBoxTest meets(line_->real());
+    // Strictly between these a crossing surely separates the known features.
+    double inner_low = -infinite;
+    double inner_high = infinite;
+    const auto narrow_inner = [&](const Real& x) {
+        inner_low = inner_low == -infinite ? x.upper() : std::min(inner_low, x.upper());
+        inner_high = inner_high == infinite ? x.lower() : std::max(inner_high, x.lower());
+    };
+    for (const VertexId v : known.vertices) narrow_inner(forms_->point<Real>(v)[axis_]);
+    for (const EdgeId e : known.edges) {
+        narrow_inner(position_of({Feature::edge, e.value, Real{}, 0}));
+    }
+    const auto gap = [&](const Box3& box) {
+        if (box.low[axis_] > window_high_ || box.high[axis_] < window_low_) return infinite;
+        if (!meets(box)) return infinite;
+        return std::max({0.0, box.low[axis_] - last_, first_ - box.high[axis_]});
+    };
+    forms_->triangles().traverse_ordered(gap, [&](std::uint32_t t) {
+        const std::size_t before = contacts_.size();
+        add_triangle(t);
+        for (std::size_t i = before; i < contacts_.size(); ++i) {
+            if (contacts_[i].feature != Feature::face) continue;
+            const Real x = position_of(contacts_[i]);
+            if (x.lower() > inner_low && x.upper() < inner_high) {
+                blocking_ = FaceId{contacts_[i].id};
+                return -infinite;
+            }
+            if (x.lower() > last_) window_high_ = std::min(window_high_, x.upper());
+            if (x.upper() < first_) window_low_ = std::max(window_low_, x.lower());
+        }
+        return std::max(window_high_ - last_, first_ - window_low_);
+    });
+    // What is behind the window was found by chance, and may be half of a body.
+    std::erase_if(contacts_, [&](const Contact& c) {
+        const Real x = position_of(c);
+        return x.lower() > window_high_ || x.upper() < window_low_;
+    });
 }
 
 Sign LineCut::side_of(std::size_t i) {
@@ -151,31 +229,31 @@ void LineCut::find_axis() {
 }
 
 void LineCut::position_contacts() {
+    for (Contact& c : contacts_) c.position = position_of(c);
+}
+
+Real LineCut::position_of(const Contact& c) const {
     const PluckerOf<Real>& l = line_->real();
-    for (Contact& c : contacts_) {
-        if (c.feature == Feature::vertex) {
-            c.position = forms_->point<Real>(VertexId{c.id})[axis_];
-        } else if (c.feature == Feature::face) {
-            const PlaneOf<Real>& plane = forms_->plane<Real>(FaceId{c.id});
-            const Real across = dot(plane.n, l.d);
-            c.position = (plane.k * l.d[axis_] + cross(plane.n, l.m)[axis_]) / across;
-        } else {
-            const Edge3& edge = forms_->scene()[EdgeId{c.id}];
-            const Vec3<Real>& u = forms_->point<Real>(edge.source);
-            const Vec3<Real>& w = forms_->point<Real>(edge.target);
-            const Vec3<Real> at_u = normal_from(l, u);
-            const Vec3<Real> at_w = normal_from(l, w);
-            int a = 0;
-            for (int i = 1; i < 3; ++i) {
-                if (std::abs(at_u[i].value() - at_w[i].value()) >
-                    std::abs(at_u[a].value() - at_w[a].value())) {
-                    a = i;
-                }
-            }
-            const Real share = at_u[a] / (at_u[a] - at_w[a]);
-            c.position = u[axis_] + share * (w[axis_] - u[axis_]);
+    if (c.feature == Feature::vertex) return forms_->point<Real>(VertexId{c.id})[axis_];
+    if (c.feature == Feature::face) {
+        const PlaneOf<Real>& plane = forms_->plane<Real>(FaceId{c.id});
+        const Real across = dot(plane.n, l.d);
+        return (plane.k * l.d[axis_] + cross(plane.n, l.m)[axis_]) / across;
+    }
+    const Edge3& edge = forms_->scene()[EdgeId{c.id}];
+    const Vec3<Real>& u = forms_->point<Real>(edge.source);
+    const Vec3<Real>& w = forms_->point<Real>(edge.target);
+    const Vec3<Real> at_u = normal_from(l, u);
+    const Vec3<Real> at_w = normal_from(l, w);
+    int a = 0;
+    for (int i = 1; i < 3; ++i) {
+        if (std::abs(at_u[i].value() - at_w[i].value()) >
+            std::abs(at_u[a].value() - at_w[a].value())) {
+            a = i;
         }
     }
+    const Real share = at_u[a] / (at_u[a] - at_w[a]);
+    return u[axis_] + share * (w[axis_] - u[axis_]);
 }
 
 /// A plane through the contact that the line crosses; returned is the sign of n·d, as ±1.
@@ -417,6 +495,19 @@ std::optional<Run> LineCut::run_through(std::uint32_t first, std::uint32_t last)
     return std::nullopt;
 }
 
+namespace {
+constexpr std::int64_t before_all = -1;
+constexpr std::int64_t behind_all = std::numeric_limits<std::int64_t>::max();
+}  // namespace
+
+/// The place of a vertex on the line, or on which side of everything it is when it is out of the window.
+std::int64_t LineCut::place_or_side(VertexId v) const {
+    const std::uint32_t place = place_of(v);
+    if (place != Run::none) return place;
+    const bool is_high = forms_->point<Real>(v)[axis_].value() > window_high_;
+    return is_high == (axis_sign_ == Sign::positive) ? behind_all : before_all;
+}
+
 void LineCut::add_support(const Run& run, Support& support) const {
     for (const Contact& c : contacts_) {
         if (!run.contains(c.place)) continue;
@@ -425,13 +516,11 @@ void LineCut::add_support(const Run& run, Support& support) const {
     }
     for (const EdgeId e : collinear_) {
         const Edge3& edge = forms_->scene()[e];
-        std::uint32_t a = place_of(edge.source);
-        std::uint32_t b = place_of(edge.target);
-        if (a > b) std::swap(a, b);
-        if (run.contains(a) && run.contains(b)) continue;
-        const bool overlaps =
-            (run.last == Run::none || a < run.last) && (run.first == Run::none || run.first < b);
-        if (overlaps) support.along.push_back(e);
+        const auto [a, b] = std::minmax(place_or_side(edge.source), place_or_side(edge.target));
+        const std::int64_t first = run.first == Run::none ? before_all : run.first;
+        const std::int64_t last = run.last == Run::none ? behind_all : run.last;
+        if (first <= a && b <= last) continue;
+        if (a < last && first < b) support.along.push_back(e);
     }
     std::ranges::sort(support.vertices);
     std::ranges::sort(support.edges);

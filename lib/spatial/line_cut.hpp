@@ -42,7 +42,7 @@ struct Run {
 /// For both ends of a segment: what is behind all planes of an end is behind the end.
 using StoppingFaces = std::array<std::vector<FaceId>, 2>;
 
-/// What is known to be on a line before it is cut: signs that need no computing.
+/// What is known to be on a line before it is cut: signs that need no computing, and what is asked for.
 struct KnownFeatures {
     /// The line passes through these.
     std::span<const VertexId> vertices;
@@ -51,6 +51,12 @@ struct KnownFeatures {
     /// The line is no special member of its family: it meets those edges in their relative interior, and
     /// contains no edge that ends at those vertices.
     bool is_general = false;
+    /// Only the segment that touches all of the above matters: what is surely behind something that stops it
+    /// need not be found, and nothing at all when something surely stands between them.
+    bool only_their_segment = false;
+    /// One more feature of each kind, of which only this is known; may be none.
+    VertexId also_vertex{};
+    EdgeId also_edge{};
 };
 
 /// Keeps its buffers from one line to the next.
@@ -85,6 +91,9 @@ public:
     [[nodiscard]] bool runs_along(EdgeId e, std::uint32_t place) const;
     /// A body that blocks some piece between two places by itself; none when there is none.
     [[nodiscard]] BodyId blocker_between(std::uint32_t first, std::uint32_t last) const;
+    /// With only_their_segment: a face that surely stands between the known features. Nothing else is known of
+    /// the line then.
+    [[nodiscard]] FaceId blocking_face() const { return blocking_; }
     /// A face that the line crosses inside, strictly between two places; none when there is none.
     [[nodiscard]] FaceId face_between(std::uint32_t first, std::uint32_t last) const;
     /// For each end of the run, faces whose planes the line surely crosses there, from front to back.
@@ -101,6 +110,9 @@ private:
     };
 
     void collect(const KnownFeatures& known);
+    void collect_near(const KnownFeatures& known);
+    [[nodiscard]] bool find_window(const KnownFeatures& known);
+    [[nodiscard]] Real position_of(const Contact& c) const;
     void assume(const KnownFeatures& known);
     void add_triangle(std::uint32_t triangle);
     [[nodiscard]] Sign side_of(std::size_t line_index);
@@ -121,6 +133,7 @@ private:
     void add_contact(std::uint32_t piece, std::vector<FaceId>& faces) const;
     [[nodiscard]] bool stops(BodyId body, std::uint32_t place, std::uint32_t piece) const;
     [[nodiscard]] Integer axis_form(const Contact& c, PlaneOf<Integer>& plane) const;
+    [[nodiscard]] std::int64_t place_or_side(VertexId v) const;
     void add_support(const Run& run, Support& support) const;
 
     const SceneForms* forms_;
@@ -154,6 +167,10 @@ private:
     mutable std::shared_ptr<const ExactTriangles> exact_triangles_;  // made when first needed
     bool has_sheets_ = false;
     std::vector<Run> runs_;
+
+    FaceId blocking_;
+    // Along the main axis: bounds of the known features' places, and of what can matter.
+    double first_ = 0, last_ = 0, window_low_ = 0, window_high_ = 0;
 
     std::uint32_t stamp_ = 0;
     std::vector<std::uint32_t> side_stamp_, edge_stamp_, vertex_stamp_, face_stamp_;
