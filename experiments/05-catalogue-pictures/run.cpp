@@ -165,7 +165,7 @@ std::vector<Figure> nodes() {
         {.file = "event-vv.png",
          .title = "VV: two vertices v, w, and the arcs that leave their line",
          .scene = {tetrahedron({0, 0, 0}, {6, 0, 0}, {2, 5, 0}, {3, 2, 4}),
-                   tetrahedron({9, 4, 1}, {14, 6, 0}, {10, 9, 1}, {11, 6, 6})},
+                   tetrahedron({9, 4, 1}, {14, 5, 0}, {10, 9, 1}, {12, 6, 5})},
          .is_node = true,
          .label = "v3 v7 | inf | inf",
          .look_from = {0.6, -1, 0.45},
@@ -227,7 +227,7 @@ Figure two_boxes_triangle() {
             .title = "One EEE swath: two edges of boxes and one of a triangle",
             .scene = families::two_boxes_triangle().meshes,
             .label = "e10 e19 e27 | f1 f3 | f10 f11",
-            .look_from = {0.6, -1, 0.5},
+            .look_from = {0.6, 1, 0.8},
             .vertices = {},
             .edges = {{10, "e"}, {27, "f"}, {19, "g"}},
             .faces = {}};
