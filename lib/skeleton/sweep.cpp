@@ -246,7 +246,7 @@ std::vector<std::uint32_t> Sweep::dividing_nodes(const Curve& curve, const State
         for (const EdgeId e : state.label.support.edges) {
             if (e == c.a || e == c.b) continue;
             const auto end = planar_end(curve, {c.a, c.b, e});
-            if (!end || *end != node_at(curve, c.t, {}, nullptr)) continue;
+            if (!end) continue;
             nodes.push_back(*end);
             last = &c.t;
             break;
@@ -266,8 +266,8 @@ std::optional<std::uint32_t> Sweep::planar_end(const Curve& curve, std::array<Ed
         const auto is_in_plane = [&](EdgeId e) {
             return std::ranges::binary_search(plane.edges, e);
         };
+        if (!is_in_plane(edges[0]) || !is_in_plane(edges[1])) continue;
         for (const EdgeId base : {edges[0], edges[1]}) {
-            if (!is_in_plane(base)) continue;
             const auto pressed = Curve::in_face(forms_, policy_, plane.faces[0], base, edges[2]);
             if (!pressed) continue;
             if (const auto end = planar_end(curve, *pressed)) return end;

@@ -83,6 +83,8 @@ struct Scene3Recipe {
     bool boxes = false;    ///< some bodies are axis-parallel boxes instead of tetrahedra
     bool sheets = false;   ///< some bodies are triangles of zero thickness, apart from all else
     bool touching = true;  ///< bodies may touch
+    bool joined = false;   ///< triangles may touch bodies and each other, too
+    bool solids = true;    ///< else triangles only
 };
 
 /// Draws scenes: the same seed and recipe give the same scene on every machine. Each body is a mesh.
@@ -96,7 +98,8 @@ public:
              ++tries) {
             ConvexPiece piece = propose();
             const bool fits = std::all_of(pieces.begin(), pieces.end(), [&](const auto& other) {
-                const bool strict = !recipe_.touching || piece.is_sheet || other.is_sheet;
+                const bool has_sheet = piece.is_sheet || other.is_sheet;
+                const bool strict = has_sheet ? !recipe_.joined : !recipe_.touching;
                 return are_separated(piece, other, strict);
             });
             if (fits) pieces.push_back(std::move(piece));
@@ -119,6 +122,7 @@ private:
         return {x, y, below(recipe_.grid + 1)};
     }
     ConvexPiece propose() {
+        if (!recipe_.solids) return triangle();
         const int kind = below(4);
         if (kind == 0 && recipe_.boxes) return box();
         if (kind == 1 && recipe_.sheets) return triangle();

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep against the definition by brute force, on more than a thousand random scenes of small integer
+// coordinates, where most things that can coincide do.
+#include <gtest/gtest.h>
+
+#include "sightline/skeleton/build.hpp"
+#include "support/arbitrary3.hpp"
+#include "support/skeleton_laws.hpp"
+
+namespace sightline {
+namespace {
+
+VisibilitySkeleton swept(const Scene3& scene) { return visibility_skeleton(scene); }
+
+/// Seeds first … first + count - 1, on grids of 2 to 6.
+void expect_same(testing::Scene3Recipe recipe, std::uint64_t first, std::uint64_t count) {
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        recipe.grid = 2 + static_cast<int>(seed % 5);
+        const SceneInput3 input = testing::Scene3Lottery(seed, recipe).draw();
+        ASSERT_TRUE(testing::equals_reference(testing::scene3(input), swept))
+            << "seed " << seed << '\n'
+            << testing::to_text(input);
+    }
+}
+
+TEST(VisibilitySkeletonDifferential, SingleBodies) {
+    expect_same({.bodies = 1, .boxes = true}, 0, 350);
+}
+
+TEST(VisibilitySkeletonDifferential, TetrahedraApart) {
+    expect_same({.bodies = 2, .touching = false}, 0, 130);
+}
+
+TEST(VisibilitySkeletonDifferential, TetrahedraThatMayTouch) { expect_same({.bodies = 2}, 0, 180); }
+
+TEST(VisibilitySkeletonDifferential, BoxesThatMayTouch) {
+    expect_same({.bodies = 2, .boxes = true}, 0, 40);
+}
+
+TEST(VisibilitySkeletonDifferential, TetrahedraAndTriangles) {
+    expect_same({.bodies = 2, .sheets = true}, 0, 100);
+}
+
+TEST(VisibilitySkeletonDifferential, TrianglesApart) {
+    expect_same({.bodies = 2, .solids = false}, 0, 200);
+    expect_same({.bodies = 3, .solids = false}, 1000, 30);
+}
+
+TEST(VisibilitySkeletonDifferential, TheMixture) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const SceneInput3 input = testing::random_scene3(seed);
+        ASSERT_TRUE(testing::equals_reference(testing::scene3(input), swept)) << "seed " << seed;
+    }
+}
+
+}  // namespace
+}  // namespace sightline

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The sweep against brute force on larger random scenes, and on many more.
+#include <gtest/gtest.h>
+
+#include "sightline/skeleton/build.hpp"
+#include "support/arbitrary3.hpp"
+#include "support/skeleton_laws.hpp"
+
+namespace sightline {
+namespace {
+
+class VisibilitySkeletonMixture : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(VisibilitySkeletonMixture, EqualsTheReference) {
+    for (std::uint64_t seed = GetParam(); seed < GetParam() + 50; ++seed) {
+        const SceneInput3 input = testing::random_scene3(seed);
+        ASSERT_TRUE(testing::equals_reference(
+            testing::scene3(input), [](const Scene3& scene) { return visibility_skeleton(scene); }))
+            << "seed " << seed;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, VisibilitySkeletonMixture,
+                         ::testing::Range(std::uint64_t{20}, std::uint64_t{1020},
+                                          std::uint64_t{50}));
+
+}  // namespace
+}  // namespace sightline
