@@ -13,11 +13,13 @@
 #include "cli/exact_json.hpp"
 #include "cli/program.hpp"
 #include "cli/result_file.hpp"
+#include "cli/skeleton_file.hpp"
 #include "sightline/planar/shortest_path.hpp"
 #include "sightline/reference/free_segment.hpp"
 #include "sightline/reference/shortest_path.hpp"
 #include "sightline/reference/visibility_graph.hpp"
 #include "sightline/reference/visibility_polygon.hpp"
+#include "sightline/reference/visibility_skeleton.hpp"
 
 namespace sightline::detail {
 namespace {
@@ -187,24 +189,76 @@ Result<Finding> check_path(const ResultFile& result, const Scene2& scene) {
     return finding;
 }
 
+/// A skeleton's arcs by what they say, their nodes included.
+std::vector<std::pair<SkeletonArc, std::array<SkeletonNode, 2>>> named_arcs(
+    const VisibilitySkeleton& skeleton) {
+    std::vector<std::pair<SkeletonArc, std::array<SkeletonNode, 2>>> arcs;
+    for (SkeletonArc arc : skeleton.arcs()) {
+        std::array nodes{skeleton[arc.nodes[0]], skeleton[arc.nodes[1]]};
+        std::ranges::sort(nodes);
+        arc.nodes = {};
+        arcs.emplace_back(std::move(arc), std::move(nodes));
+    }
+    std::ranges::sort(arcs);
+    return arcs;
+}
+
+/// How many of the sorted `some` are not among the sorted `others`.
+template <typename Sorted>
+std::size_t extra(const Sorted& some, const Sorted& others) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        some, [&](const auto& x) { return !std::ranges::binary_search(others, x); }));
+}
+
+Result<Finding> check_skeleton_file(const ResultFile& result, const Scene3& scene) {
+    if (result.options.contains("pair") || result.options.contains("arcs_only")) {
+        return fail(Errc::unsupported,
+                    result.path +
+                        ": is a part of a skeleton; check the whole one, without --pair "
+                        "and --arcs-only");
+    }
+    const Result<VisibilitySkeleton> skeleton = skeleton_of(result.skeleton, scene, result.path);
+    if (!skeleton) return tl::unexpected(skeleton.error());
+    const VisibilitySkeleton right = reference::visibility_skeleton(scene);
+    const auto arcs = named_arcs(*skeleton);
+    const auto right_arcs = named_arcs(right);
+    const std::size_t false_nodes = extra(skeleton->nodes(), right.nodes());
+    const std::size_t missed_nodes = extra(right.nodes(), skeleton->nodes());
+    const std::size_t false_arcs = extra(arcs, right_arcs);
+    const std::size_t missed_arcs = extra(right_arcs, arcs);
+    Finding finding;
+    finding.is_equal = *skeleton == right;
+    finding.details["nodes"] = right.nodes().size();
+    finding.details["arcs"] = right.arcs().size();
+    finding.details["false_nodes"] = false_nodes;
+    finding.details["missed_nodes"] = missed_nodes;
+    finding.details["false_arcs"] = false_arcs;
+    finding.details["missed_arcs"] = missed_arcs;
+    finding.line = fmt::format("{} nodes: {} false, {} missed; {} arcs: {} false, {} missed",
+                               right.nodes().size(), false_nodes, missed_nodes, right.arcs().size(),
+                               false_arcs, missed_arcs);
+    return finding;
+}
+
 Result<Finding> check_result(const CheckArguments& arguments, const ResultFile& result,
                              const Scene2& scene, Session& session) {
     if (result.kind == "visibility_graph") return check_graph(arguments, result, scene, session);
     if (result.kind == "visibility_polygon") return check_views(arguments, result, scene, session);
     if (result.kind == "shortest_path") return check_path(result, scene);
     return fail(Errc::unsupported, result.path + ": there is no reference for the kind '" +
-                                       result.kind + "'; name a graph, view or path");
+                                       result.kind + "'; name a graph, view, path or skeleton");
 }
 
-Result<void> write_finding(const CheckArguments& arguments, const LoadedScene& loaded,
-                           const Finding& finding, Session& session) {
+Result<void> write_finding(const CheckArguments& arguments, const LoadedScene* plane,
+                           const LoadedScene3* space, const Finding& finding, Session& session) {
     if (arguments.outputs.json.empty()) {
         std::cout << arguments.result << ": " << finding.line << '\n' << std::flush;
         return {};
     }
     Document document;
     document.kind = "check";
-    document.scene = &loaded;
+    document.scene = plane;
+    document.scene3 = space;
     document.options["result"] = arguments.result;
     document.result = [&](JsonWriter& json) {
         json.begin_object();
@@ -216,6 +270,19 @@ Result<void> write_finding(const CheckArguments& arguments, const LoadedScene& l
         json.end();
     };
     return write_outputs(arguments.outputs, document, session);
+}
+
+Result<ExitStatus> check_in_space(const CheckArguments& arguments, const ResultFile& result,
+                                  const SceneArguments& files, Session& session) {
+    const Result<LoadedScene3> loaded = load_scene3(files, session);
+    if (!loaded) return tl::unexpected(loaded.error());
+    const Result<Finding> finding = session.timed("build", "comparing with the reference", [&] {
+        return check_skeleton_file(result, loaded->scene);
+    });
+    if (!finding) return tl::unexpected(finding.error());
+    const auto told = write_finding(arguments, nullptr, &*loaded, *finding, session);
+    if (!told) return tl::unexpected(told.error());
+    return finding->is_equal ? ExitStatus::done : ExitStatus::no_answer;
 }
 
 Result<ExitStatus> run_check(const CheckArguments& arguments, Session& session) {
@@ -230,6 +297,8 @@ Result<ExitStatus> run_check(const CheckArguments& arguments, Session& session) 
     const Result<ResultFile> result = read_result(arguments.result);
     if (!result) return tl::unexpected(result.error());
     adopt_options(*result, files);
+    if (result->kind == "visibility_skeleton")
+        return check_in_space(arguments, *result, files, session);
     Result<LoadedScene> loaded = load_scene(files, session);
     if (!loaded) return tl::unexpected(loaded.error());
     Result<Scene2> scene = scene_of(*result, loaded->scene);
@@ -239,7 +308,7 @@ Result<ExitStatus> run_check(const CheckArguments& arguments, Session& session) 
         return check_result(arguments, *result, loaded->scene, session);
     });
     if (!finding) return tl::unexpected(finding.error());
-    if (const auto told = write_finding(arguments, *loaded, *finding, session); !told) {
+    if (const auto told = write_finding(arguments, &*loaded, nullptr, *finding, session); !told) {
         return tl::unexpected(told.error());
     }
     return finding->is_equal ? ExitStatus::done : ExitStatus::no_answer;
@@ -253,10 +322,11 @@ void add_check(Program& program) {
         program.add("check", "compare a result with the reference algorithm",
                     "sightline check graph.json map.wkt --sample 50",
                     [arguments](Session& session) { return run_check(*arguments, session); });
-    app.add_option("RESULT", arguments->result, "a graph, view or path as JSON")
+    app.add_option("RESULT", arguments->result, "a graph, view, path or skeleton as JSON")
         ->required()
         ->type_name("");
     add_scene_arguments(app, arguments->scene);
+    add_sheet_arguments(app, arguments->scene);
     app.add_option("--sample", arguments->sample,
                    "compare so many rows or views, evenly chosen; by default all up to 1000, else "
                    "100")

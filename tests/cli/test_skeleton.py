@@ -190,6 +190,32 @@ def test_limits(meshes):
     assert not (meshes / "out.json").exists()
 
 
+def test_reference_agrees_and_notices_changes(meshes):
+    assert run("skeleton", "cube.off", "box.off", "-o", "right.json").status == 0
+    right = run("check", "right.json", "cube.off", "box.off")
+    assert right.status == 0, right.out + right.err
+    assert right.out.count(" 0 false, 0 missed") == 2
+    document = load(meshes / "right.json")
+    del document["result"]["arcs"][17]
+    (meshes / "fewer.json").write_text(json.dumps(document))
+    fewer = run("check", "fewer.json", "cube.off", "box.off")
+    assert fewer.status == 1 and fewer.out.strip().endswith("0 false, 1 missed")
+    document["result"]["nodes"][3]["ends"] = [None, [2]]
+    (meshes / "wrong.json").write_text(json.dumps(document))
+    wrong = run("check", "wrong.json", "cube.off", "box.off", "-o", "finding.json")
+    assert wrong.status == 1
+    finding = load(meshes / "finding.json")["result"]
+    assert not finding["equal"] and finding["false_nodes"] == finding["missed_nodes"] == 1
+    assert run("skeleton", "cube.off", "--arcs-only", "EV", "-o", "part.json").status == 0
+    assert run("check", "part.json", "cube.off").status == 2
+
+
+def test_reference_agrees_on_sheets(meshes):
+    assert run("skeleton", "sheets.off", "--sheets", "-o", "sheets.json").status == 0
+    finding = run("check", "sheets.json", "sheets.off")
+    assert finding.status == 0, finding.out + finding.err
+
+
 @pytest.mark.parametrize("arguments, what", [
     (("--pair", "0"), "write F,G"),
     (("--pair", "0,99"), "there is no face 99"),
