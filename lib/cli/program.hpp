@@ -49,6 +49,7 @@ void add_output_arguments(CLI::App& app, OutputArguments& arguments);
 void add_info(Program& program);
 void add_graph(Program& program);
 void add_view2(Program& program);
+void add_view3(Program& program);
 void add_path(Program& program);
 void add_transversals(Program& program);
 void add_skeleton(Program& program);

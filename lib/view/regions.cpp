@@ -103,7 +103,9 @@ std::optional<SightEnd> Assembly::known_left(std::uint32_t edge, bool forward) c
     }
     const PlacedScene& view = image_.scene();
     const Scene3& scene = *view.scene;
-    if (scene.has_touching_bodies() || facings_.backs_hide) return std::nullopt;
+    // What covers the face next to a visible edge has an edge there too, or is a sheet that lies on it.
+    if (scene.has_touching_bodies() && view.has_sheets) return std::nullopt;
+    if (facings_.backs_hide) return std::nullopt;
     std::optional<FaceSide> found;
     for (const EdgeId id : view.ids(view.edges[edge])) {
         for (std::size_t k = 0; k < 2; ++k) {
@@ -255,7 +257,9 @@ void Assembly::walk(std::uint32_t from_arc, std::uint32_t to_arc, std::uint64_t&
         }
         return;
     }
-    SIGHTLINE_EXPECT(false);
+    // Signs that are not certain may make a map that is none.
+    const Arithmetic arithmetic = image_.arithmetic();
+    SIGHTLINE_EXPECT(arithmetic == Arithmetic::double_ || arithmetic == Arithmetic::interval);
 }
 
 // Appends the arcs that the way from a to b crosses, in order; false when it meets a node or crosses two arcs at once.
