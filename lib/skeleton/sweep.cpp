@@ -138,14 +138,16 @@ void Sweep::search_free(ReachSearch& search, const Curve& curve, const State& st
 Reach Sweep::blocked_reach(const Curve& curve, const Interval& interval, const Parameter& t,
                            const State& state, bool& hit) const {
     ReachSearch search(curve, interval, t);
-    if (!curve.contact().is_none()) {
-        search.search_all({});
-    } else if (!state.blocker.is_none()) {
+    if (!state.blocker.is_none()) {
         search.search_edges(forms_.edges_of(state.blocker));
+    } else if (!curve.contact().is_none()) {
+        search.search_all({});
+    } else if (!state.seal.empty()) {
+        for (const FaceId f : state.seal) search.search_edges(forms_.edges_of(f));
     } else if (!state.blocker_body.is_none()) {
         search.search_edges(forms_.edges_of(state.blocker_body));
     } else {
-        search.search_all({});  // a seal between bodies, or sheets that join
+        search.search_all({});  // sheets that join
     }
     hit = search.hit_sample();
     return search.reach();
@@ -383,6 +385,7 @@ Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
         if (!places) return state;
         state.blocker = cut_.face_between(places->first, places->second);
         state.blocker_body = cut_.blocker_between(places->first, places->second);
+        state.seal = cut_.seal_between(places->first, places->second);
         return state;
     }
     state.is_free = true;

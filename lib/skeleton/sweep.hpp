@@ -59,8 +59,9 @@ private:
         CellParts parts;
         ArcType type{};
         StoppingFaces stopping;
-        FaceId blocker;       ///< crossed inside between the generators
-        BodyId blocker_body;  ///< when no face is
+        FaceId blocker;            ///< crossed inside between the generators
+        BodyId blocker_body;       ///< when no face is
+        std::vector<FaceId> seal;  ///< faces of bodies in contact that block together
     };
     [[nodiscard]] std::vector<Interval> intervals(const Curve& curve) const;
     [[nodiscard]] bool meets_generators(const Curve& curve, const Parameter& t) const;

@@ -394,6 +394,7 @@ void LineCut::follow_solid(std::span<const Touch> touches) {
 }
 
 void LineCut::seal() {
+    seals_.clear();
     if (!forms_->scene().has_touching_bodies()) return;
     std::vector<LocalState> along;
     for (std::uint32_t piece = 1; piece < place_count_; ++piece) {
@@ -407,7 +408,20 @@ void LineCut::seal() {
         }
         if (along.size() < 2 || !is_sealed(*forms_, *line_, along)) continue;
         blocked_[piece] = true;  // by no body alone
+        for (const LocalState& state : along) {
+            for (const FaceId f : state.faces) {
+                if (!f.is_none()) seals_.emplace_back(piece, f);
+            }
+        }
     }
+}
+
+std::vector<FaceId> LineCut::seal_between(std::uint32_t first, std::uint32_t last) const {
+    std::vector<FaceId> faces;
+    for (const auto& [piece, face] : seals_) {
+        if (first < piece && piece <= last && piece == seals_.front().first) faces.push_back(face);
+    }
+    return faces;
 }
 
 void LineCut::find_runs() {

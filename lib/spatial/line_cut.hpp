@@ -91,6 +91,9 @@ public:
     [[nodiscard]] bool runs_along(EdgeId e, std::uint32_t place) const;
     /// A body that blocks some piece between two places by itself; none when there is none.
     [[nodiscard]] BodyId blocker_between(std::uint32_t first, std::uint32_t last) const;
+    /// The faces along which the line runs where bodies in contact first block it, if that is between two
+    /// places.
+    [[nodiscard]] std::vector<FaceId> seal_between(std::uint32_t first, std::uint32_t last) const;
     /// With only_their_segment: a face that surely stands between the known features. Nothing else is known of
     /// the line then.
     [[nodiscard]] FaceId blocking_face() const { return blocking_; }
@@ -166,6 +169,8 @@ private:
     std::vector<SheetCut> cuts_;                                     // by first place
     mutable std::shared_ptr<const ExactTriangles> exact_triangles_;  // made when first needed
     bool has_sheets_ = false;
+    std::vector<std::pair<std::uint32_t, FaceId>>
+        seals_;  ///< sealed pieces and the faces round them
     std::vector<Run> runs_;
 
     FaceId blocking_;
