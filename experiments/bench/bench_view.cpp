@@ -65,7 +65,7 @@ void register_all() {
         const char* family;
         std::vector<std::string> parameters;
     };
-    const std::vector<Case> cases{{"room", "room", {"225"}},
+    const std::vector<Case> cases{{"room", "room", {"1500"}},
                                   {"polytopes", "polytopes", {"60"}},
                                   {"tetrahedra", "tetrahedra", {"300"}},
                                   {"grid", "grid3", {"6", "6", "6"}},

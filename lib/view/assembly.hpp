@@ -77,6 +77,7 @@ private:
     [[nodiscard]] std::optional<SightEnd> known_left(std::uint32_t edge, bool forward) const;
     [[nodiscard]] SightEnd look_left(const Arc& arc, bool reversed);
     void label_ring(Ring& ring);
+    [[nodiscard]] std::array<double, 3> middle(const Arc& arc) const;
     void link_rings();
     [[nodiscard]] bool collinear_against(std::uint32_t e, std::uint32_t f);
     /// Where a way crosses an arc: `at` grows along the way.

@@ -192,23 +192,49 @@ bool Assembly::collinear_against(std::uint32_t e, std::uint32_t f) {
     return image_.minor(a, b, *axis) * image_.minor(c, d, *axis) == Sign::negative;
 }
 
-// Joins the rings of one region: those of different components of the map that follow each other on a way
-// from each component to the first.
+// A direction near the middle of an arc, of length about 1.
+std::array<double, 3> Assembly::middle(const Arc& arc) const {
+    const auto [u, w] = ends(arc.edges.front());
+    const double t = arc.from.t.value / 2 + arc.to.t.value / 2;
+    std::array<double, 3> r{};
+    double size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        r[k] = (1 - t) * image_.rounded(u)[k] + t * image_.rounded(w)[k];
+        size = std::max(size, std::abs(r[k]));
+    }
+    for (double& x : r) x /= size;
+    return r;
+}
+
+// Joins the rings of one region: those that follow each other on a way from each component of the map to one
+// that has been linked before. As components and regions form a tree, that is enough.
 void Assembly::link_rings() {
     ring_parent_.resize(rings_.size());
     std::iota(ring_parent_.begin(), ring_parent_.end(), 0U);
     std::vector<std::uint32_t> component(nodes_.size());
     std::iota(component.begin(), component.end(), 0U);
     for (const Arc& arc : arcs_) unite(component, arc.source, arc.target);
-    std::vector<char> is_linked(nodes_.size(), 0);
-    if (arcs_.empty()) return;
-    is_linked[find_root(component, arcs_.front().source)] = 1;
-    std::uint64_t seed = 1;
+    std::vector<std::vector<std::uint32_t>> arcs_of(nodes_.size());
+    std::vector<std::array<double, 3>> middles;
     for (std::uint32_t i = 0; i < arcs_.size(); ++i) {
-        char& linked = is_linked[find_root(component, arcs_[i].source)];
-        if (linked != 0) continue;
-        linked = 1;
-        walk(i, 0, seed);
+        arcs_of[find_root(component, arcs_[i].source)].push_back(i);
+        middles.push_back(middle(arcs_[i]));
+    }
+    std::vector<std::uint32_t> linked;
+    std::uint64_t seed = 1;
+    for (const auto& arcs : arcs_of) {
+        if (arcs.empty()) continue;
+        // Rounded: any arc will do, a near one is quick.
+        const auto& m = middles[arcs.front()];
+        const auto distance = [&](std::uint32_t i) {
+            const auto& x = middles[i];
+            return std::abs(x[0] - m[0]) + std::abs(x[1] - m[1]) + std::abs(x[2] - m[2]);
+        };
+        const auto nearest = std::min_element(
+            linked.begin(), linked.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return distance(i) < distance(j); });
+        if (nearest != linked.end()) walk(arcs.front(), *nearest, seed);
+        linked.insert(linked.end(), arcs.begin(), arcs.end());
     }
 }
 
@@ -216,24 +242,20 @@ void Assembly::link_rings() {
 // one great circle can be joined); in doubles taken as exact. What it crosses follows each other round regions.
 // When it is not in general position to all arcs, another way is tried.
 void Assembly::walk(std::uint32_t from_arc, std::uint32_t to_arc, std::uint64_t& seed) {
-    const auto middle = [&](const Arc& arc) {
-        const auto [u, w] = ends(arc.edges.front());
-        const double t = arc.from.t.value / 2 + arc.to.t.value / 2;
-        std::array<double, 3> r{};
-        double size = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            r[k] = (1 - t) * image_.rounded(u)[k] + t * image_.rounded(w)[k];
-            size = std::max(size, std::abs(r[k]));
-        }
-        return Vector3{Rational(r[0] / size), Rational(r[1] / size), Rational(r[2] / size)};
+    const auto exactly = [](const std::array<double, 3>& r) {
+        return Vector3{Rational(r[0]), Rational(r[1]), Rational(r[2])};
     };
     const auto random = [&](double scale) {
         return Rational((static_cast<double>(next_random(seed) % 2001) - 1000) * scale);
     };
-    const Vector3 a = middle(arcs_[from_arc]);
-    const Vector3 b = middle(arcs_[to_arc]);
+    const auto near = middle(arcs_[from_arc]);
+    const auto far = middle(arcs_[to_arc]);
+    const double distance =
+        std::abs(near[0] - far[0]) + std::abs(near[1] - far[1]) + std::abs(near[2] - far[2]);
+    const Vector3 a = exactly(near);
+    const Vector3 b = exactly(far);
     for (int attempt = 0; attempt < 1000; ++attempt) {
-        const double scale = 0x1p-14 * (1 + attempt % 32);
+        const double scale = 0x1p-13 * std::max(distance, 0x1p-20) * (1 + attempt % 32);
         const Vector3 over = a + b + Vector3{random(scale), random(scale), random(scale)};
         const Rational prolong(0x1p-10 * static_cast<double>(1 + next_random(seed) % 64));
         std::vector<Crossing> crossings;
@@ -277,12 +299,33 @@ bool Assembly::cross_arcs(const Vector3& a, const Vector3& b, std::vector<Crossi
             0x1p-48 * (std::abs(n[0]) * s[0] + std::abs(n[1]) * s[1] + std::abs(n[2]) * s[2]);
         return value > error ? 1 : value < -error ? -1 : 0;
     };
+    // Linear forms that are not negative on the way; where both ends of an edge are certainly off it, the edge is.
+    const auto times = [](const std::array<double, 3>& x, const std::array<double, 3>& y) {
+        return std::array<double, 3>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
+                                     x[0] * y[1] - x[1] * y[0]};
+    };
+    const auto rounded = [](const Vector3& v) {
+        return std::array<double, 3>{v.x.approx_double(), v.y.approx_double(), v.z.approx_double()};
+    };
+    const auto norm = [](const std::array<double, 3>& v) {
+        return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+    };
+    const auto from_form = times(n, rounded(a));
+    const auto to_form = times(rounded(b), n);
+    const double form_error = 0x1p-40 * norm(n) * std::max(norm(rounded(a)), norm(rounded(b)));
+    const auto is_off = [&](const std::array<double, 3>& form, std::uint32_t x) {
+        const auto& r = image_.rounded(x);
+        return form[0] * r[0] + form[1] * r[1] + form[2] * r[2] <
+               -form_error * norm(image_.size(x));
+    };
     for (std::uint32_t i = 0; i < arcs_.size(); ++i) {
         const Arc& arc = arcs_[i];
         const auto [u, w] = ends(arc.edges.front());
         // The whole edge lies on one side of the way: most do.
         const int side_u = rounded_side(u);
         if (side_u != 0 && side_u == rounded_side(w)) continue;
+        if (is_off(from_form, u) && is_off(from_form, w)) continue;
+        if (is_off(to_form, u) && is_off(to_form, w)) continue;
         const Rational at_u = dot(normal, image_.exact(u));
         const Rational at_w = dot(normal, image_.exact(w));
         const auto on_way = [&](const Vector3& c) {
