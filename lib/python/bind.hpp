@@ -12,5 +12,6 @@ void bind_families(pybind11::module_& module);
 void bind_graph(pybind11::module_& module);
 void bind_view(pybind11::module_& module);
 void bind_path(pybind11::module_& module);
+void bind_space(pybind11::module_& module);
 
 }  // namespace sightline::detail

@@ -38,4 +38,5 @@ PYBIND11_MODULE(_core, module) {
     sightline::detail::bind_graph(module);
     sightline::detail::bind_view(module);
     sightline::detail::bind_path(module);
+    sightline::detail::bind_space(module);
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exact visibility in the plane: what sees what, from where.
+"""Exact visibility in the plane and in space: what sees what, from where.
 
     >>> import sightline
     >>> scene = sightline.Scene2(polygons=[[(0, 0), (2, 0), (1, 2)], [(5, 1), (8, 1), (6, 4)]])
@@ -17,16 +17,29 @@ from ._core import (
     PointVisibility2,
     Polygon2,
     Scene2,
+    Scene3,
     ShortestPath,
     VisibilityGraph,
     VisibilityPolygon,
+    VisibilitySkeleton,
     info,
+    read_scene3,
     shortest_path,
+    skeleton,
     visibility_graph,
     visibility_polygon,
 )
 from ._core import __version__
-from ._types import ContractViolation, Direction, RepairWarning, Ring, SightlineError
+from ._types import (
+    ContractViolation,
+    Direction,
+    RepairWarning,
+    Ring,
+    SightlineError,
+    SkeletonArc,
+    SkeletonNode,
+    Surd,
+)
 
 __all__ = [
     "ContractViolation",
@@ -36,13 +49,20 @@ __all__ = [
     "RepairWarning",
     "Ring",
     "Scene2",
+    "Scene3",
     "ShortestPath",
     "SightlineError",
+    "SkeletonArc",
+    "SkeletonNode",
+    "Surd",
     "VisibilityGraph",
     "VisibilityPolygon",
+    "VisibilitySkeleton",
     "families",
     "info",
+    "read_scene3",
     "shortest_path",
+    "skeleton",
     "visibility_graph",
     "visibility_polygon",
 ]

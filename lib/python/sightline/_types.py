@@ -41,3 +41,40 @@ class Ring(NamedTuple):
     vertices: "numpy.ndarray"
     body: int | None
     is_hole: bool
+
+
+class Surd(NamedTuple):
+    """a + b √c with b = ±1: an irrational number of a quadratic field."""
+
+    a: Fraction
+    b: int
+    c: Fraction
+
+    def __float__(self) -> float:
+        return float(self.a) + self.b * float(self.c) ** 0.5
+
+
+End = list[tuple[int, bool]] | None
+
+
+class SkeletonNode(NamedTuple):
+    """A line of sight that touches so much that it cannot move."""
+
+    type: str
+    vertices: list[int]
+    edges: list[tuple[int, int]]
+    along: list[tuple[int, int]]
+    #: Faces (by input number, with whether the back is hit) at both ends; None at infinity.
+    ends: tuple[End, End]
+    faces: list[int]
+    root: int | None
+
+
+class SkeletonArc(NamedTuple):
+    """A sweep of lines of sight between two nodes."""
+
+    type: str
+    vertices: list[int]
+    edges: list[tuple[int, int]]
+    ends: tuple[End, End]
+    nodes: tuple[int, int]

@@ -46,3 +46,11 @@ def generate(name: str, *parameters: int, seed: int = 1, **named: int) -> _core.
                 raise TypeError(f"{name} takes {', '.join(known) or 'no parameters'}; not {word}")
         values += [int(named.get(p.name, p.default)) for p in family.parameters[len(values):]]
     return _core._generate(name, [str(v) for v in values], seed)
+
+
+def generate3(name: str, *parameters: int, seed: int = 1) -> _core.Scene3:
+    """The scene of space of the named family (`sightline generate --list`); parameters by place.
+
+    Raises SightlineError with code "bad_parameter".
+    """
+    return _core._generate3(name, [str(int(p)) for p in parameters], seed)
