@@ -197,20 +197,23 @@ py::object plucker_of(const SkeletonResult& result, std::size_t node) {
     return py::tuple(out);
 }
 
-// Rows of two ends and whether each is a direction.
+// Rows of two ends, whether each is a direction, and a point of each segment.
 py::tuple to_arrays(const std::vector<ApproxSegment>& segments) {
     const auto n = static_cast<py::ssize_t>(segments.size());
     py::array_t<double> ends({n, py::ssize_t{2}, py::ssize_t{3}});
     py::array_t<bool> at_infinity({n, py::ssize_t{2}});
+    py::array_t<double> through({n, py::ssize_t{3}});
+    double* p = through.mutable_data();
     double* x = ends.mutable_data();
     bool* infinite = at_infinity.mutable_data();
     for (const ApproxSegment& s : segments) {
+        for (const double c : {s.through.x, s.through.y, s.through.z}) *p++ = c;
         for (std::size_t i = 0; i < 2; ++i) {
             for (const double c : {s.ends[i].x, s.ends[i].y, s.ends[i].z}) *x++ = c;
             *infinite++ = s.is_infinite[i];
         }
     }
-    return py::make_tuple(ends, at_infinity);
+    return py::make_tuple(ends, at_infinity, through);
 }
 
 py::tuple approx_node(const SkeletonResult& result, std::size_t node) {
@@ -307,7 +310,9 @@ seen from outside. With `world` the first mesh bounds the free world. Raises Sig
              "The exact line of a node: six numbers, Fraction or Surd; the direction, then the "
              "moment.")
         .def("approx_segment", &approx_node, py::arg("node"),
-             "For drawing: ends, (1, 2, 3) float64, and which of them are directions, (1, 2) bool.")
+             "For drawing: ends, (1, 2, 3) float64; which of them are directions, (1, 2) bool; a "
+             "point of "
+             "the segment, (1, 3).")
         .def("approx_segments", &approx_arc, py::arg("arc"), py::arg("count") = 15,
              "For drawing: segments of an arc from node to node, as approx_segment() gives them.")
         .def("check", &check_of, py::arg("paths") = 200, py::kw_only(), py::arg("seed") = 1,

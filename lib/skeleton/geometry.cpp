@@ -578,12 +578,18 @@ std::vector<ApproxSegment> SkeletonGeometry::approx_segments(const VisibilitySke
 }
 
 ApproxSegment approx_end_points(const SkeletonSegment& segment) {
+    const auto rounded = [](const SurdVector3& x) {
+        return Point3{x.x.approx_double(), x.y.approx_double(), x.z.approx_double()};
+    };
     ApproxSegment result;
     for (std::size_t i = 0; i < 2; ++i) {
-        const SurdVector3& x = segment.ends[i].at;
-        result.ends[i] = {x.x.approx_double(), x.y.approx_double(), x.z.approx_double()};
+        result.ends[i] = rounded(segment.ends[i].at);
         result.is_infinite[i] = segment.ends[i].is_infinite;
     }
+    const auto& [d, m] = segment.line;
+    result.through = !result.is_infinite[0]   ? result.ends[0]
+                     : !result.is_infinite[1] ? result.ends[1]
+                                              : rounded((Surd(1) / dot(d, d)) * cross(d, m));
     return result;
 }
 

@@ -48,9 +48,16 @@ def test_segments_for_drawing():
     scene = families.generate3("tetrahedra", 3)
     skeleton = sightline.skeleton(scene)
     for a, arc in enumerate(skeleton.arcs):
-        ends, at_infinity = skeleton.approx_segments(a, 3)
-        assert ends.shape == (5, 2, 3) and at_infinity.shape == (5, 2)
-        first, infinite = skeleton.approx_segment(arc.nodes[0])
+        ends, at_infinity, through = skeleton.approx_segments(a, 3)
+        assert ends.shape == (5, 2, 3) and at_infinity.shape == (5, 2) and through.shape == (5, 3)
+        for (p, q), (p_far, q_far), x in zip(ends, at_infinity, through):
+            if not p_far:
+                assert np.array_equal(x, p)
+            elif not q_far:
+                assert np.array_equal(x, q)
+            else:
+                assert np.allclose(p, -q) and abs(x @ p) <= 1e-6 * np.abs(x).max() * np.abs(p).max()
+        first, infinite, _ = skeleton.approx_segment(arc.nodes[0])
         assert np.array_equal(first[0], ends[0]) and np.array_equal(infinite[0], at_infinity[0])
         assert [e is None for e in arc.ends] == at_infinity[2].tolist()
 

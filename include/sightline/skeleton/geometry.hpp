@@ -36,6 +36,8 @@ struct SkeletonSegment {
 struct ApproxSegment {
     std::array<Point3, 2> ends;
     std::array<bool, 2> is_infinite{};
+    /// A point of the segment: an end that is one, else that of the line which is nearest to the origin.
+    Point3 through;
 
     friend bool operator==(const ApproxSegment&, const ApproxSegment&) = default;
 };
