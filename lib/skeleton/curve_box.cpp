@@ -22,6 +22,11 @@ struct Centred {
     }
 };
 
+/// k of the plane n·x = k that contains the line, to which n is normal.
+Real offset_of(const Vec3<Real>& n, const PluckerOf<Real>& line) {
+    return dot(n, cross(line.d, line.m)) / dot(line.d, line.d);
+}
+
 }  // namespace
 
 BoxForm::BoxForm(const Vec3<Real>& n, const Real& k) : k_(k.value()), k_error_(spread(k)) {
@@ -58,31 +63,29 @@ CurveBoxTest::CurveBoxTest(const Curve& curve, const StoppingFaces& stopping, do
     if (curve.kind() == CurveKind::regulus) {
         wedge_count_ = 2;
     } else {
-        normal_ = cross(curve.coefficients<Real>()[0].d, forms.line<Real>(curve.base().index()).d);
-        const Edge3& base = forms.scene()[curve.base()];
-        plane_ = BoxForm(normal_, dot(normal_, forms.point<Real>(base.source)));
+        const auto& l = curve.coefficients<Real>();
+        normal_ = cross(l[0].d, l[1].d);
+        plane_ = BoxForm(normal_, offset_of(normal_, l[0]));
     }
     set_interval(low, high);
 }
 
 void CurveBoxTest::set_interval(double low, double high) {
     const SceneForms& forms = curve_->forms();
-    const Vec3<Real>& a = forms.point<Real>(forms.scene()[curve_->base()].source);
-    const Vec3<Real>& u = forms.line<Real>(curve_->base().index()).d;
     std::size_t end = 0;
     for (const double t : {low, high}) {
-        const Vec3<Real> p = a + Real(t) * u;
         if (curve_->kind() == CurveKind::regulus) {
+            const Vec3<Real>& a = forms.point<Real>(forms.scene()[curve_->base()].source);
+            const Vec3<Real> p = a + Real(t) * forms.line<Real>(curve_->base().index()).d;
             for (std::size_t i = 0; i < 2; ++i) {
                 const PluckerOf<Real>& g = forms.line<Real>(curve_->edges()[i + 1].index());
-                const Vec3<Real> n = normal_from(g, p);
-                wedges_[i][end] = BoxForm(n, dot(g.m, p));
+                wedges_[i][end] = BoxForm(normal_from(g, p), dot(g.m, p));
             }
         } else {
             const auto& l = curve_->coefficients<Real>();
-            const Vec3<Real> d = l[0].d + Real(t) * l[1].d;
-            const Vec3<Real> n = cross(d, normal_);
-            wedges_[0][end] = BoxForm(n, dot(n, p));
+            const PluckerOf<Real> line = l[0] + Real(t) * l[1];
+            const Vec3<Real> n = cross(line.d, normal_);
+            wedges_[0][end] = BoxForm(n, offset_of(n, line));
         }
         ++end;
     }

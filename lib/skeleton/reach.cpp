@@ -17,13 +17,11 @@ void ReachSearch::search_segment(const StoppingFaces& stopping,
     curve_.forms().edges().traverse(test, [&](std::uint32_t e) {
         if (consider_edge(EdgeId{e}, false)) test.set_interval(low(), high());
     });
+    stopping_ = nullptr;
 }
 
 void ReachSearch::search_all(std::span<const EventName> dismissed) {
-    dismissed_ = dismissed;
-    for (std::uint32_t e = 0; e < curve_.forms().edge_count(); ++e) {
-        consider_edge(EdgeId{e}, true);
-    }
+    search_segment({}, dismissed);
 }
 
 void ReachSearch::search_edges(std::span<const EdgeId> edges) {
@@ -40,11 +38,22 @@ bool ReachSearch::consider_edge(EdgeId e, bool everywhere) {
     const Edge3& edge = curve_.forms().scene()[e];
     bool narrowed = false;
     for (const VertexId v : {edge.source, edge.target}) {
+        if (surely_passes_outside(v)) continue;
         if (const auto at_vertex = curve_.vertex_form(v, e)) {
             narrowed = consider_form(*at_vertex, e, everywhere) || narrowed;
         }
     }
     return consider_crossings(e, everywhere) || narrowed;
+}
+
+/// Whether no line of what is left of the pencil passes through v: one coordinate is enough to tell.
+bool ReachSearch::surely_passes_outside(VertexId v) const {
+    if (curve_.kind() == CurveKind::regulus) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const EventForm form{EventForm::Kind::vertex_axis, 0, 0, v, axis};
+        if (surely_outside(curve_.evaluate<Real>(form))) return true;
+    }
+    return false;
 }
 
 /// Whether all lines of the curve meet the line of e.

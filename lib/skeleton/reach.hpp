@@ -59,6 +59,7 @@ public:
 private:
     bool consider_edge(EdgeId e, bool everywhere);
     bool consider_crossings(EdgeId e, bool everywhere);
+    [[nodiscard]] bool surely_passes_outside(VertexId v) const;
     [[nodiscard]] bool contains_all(EdgeId e) const;
     bool consider_form(const EventForm& form, EdgeId e, bool everywhere);
     bool offer(Parameter&& t, EdgeId e, const EventForm& form, bool everywhere);
