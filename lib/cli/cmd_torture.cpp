@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include "cli/comparison.hpp"
 #include "cli/document.hpp"
+#include "cli/forked.hpp"
 #include "cli/output_set.hpp"
 #include "cli/program.hpp"
+#include "cli/torture_space.hpp"
 #include "sightline/reference/visibility_graph.hpp"
 #include "sightline/scene/families.hpp"
 #include "sightline/scene/repair2.hpp"
@@ -32,6 +28,7 @@ struct TortureArguments {
     std::uint64_t seed = 1;
     std::size_t sample = 12;
     std::string output;
+    bool space = false;
 };
 
 /// What is tortured: a family or a file.
@@ -129,65 +126,6 @@ void work(Case& one, const Source& source, const TortureArguments& arguments) {
     one.is_compared = true;
     one.filtered = outcome_of(*scene, Arithmetic::filtered, rows, right);
     one.in_doubles = outcome_of(*scene, Arithmetic::double_, rows, right);
-}
-
-/// Memory that child processes share with us.
-class SharedCases {
-public:
-    explicit SharedCases(std::size_t n) : size_(n) {
-        void* memory = ::mmap(nullptr, n * sizeof(Case), PROT_READ | PROT_WRITE,
-                              MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (memory == MAP_FAILED) throw std::bad_alloc();
-        cases_ = std::uninitialized_value_construct_n(static_cast<Case*>(memory), n) - n;
-    }
-    SharedCases(const SharedCases&) = delete;
-    SharedCases& operator=(const SharedCases&) = delete;
-    ~SharedCases() { ::munmap(cases_, size_ * sizeof(Case)); }
-    [[nodiscard]] std::span<Case> all() const { return {cases_, size_}; }
-
-private:
-    Case* cases_;
-    std::size_t size_;
-};
-
-/// Starts a process for one case; its end, of whatever kind, leaves what it had found.
-pid_t start(Case& one, const Source& source, const TortureArguments& arguments) {
-    const pid_t parent = ::getpid();
-    const pid_t process = ::fork();
-    if (process != 0) return process;
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(1);
-    constexpr unsigned patience = 300;  // doubles may also go round in circles
-    ::alarm(patience);
-    try {
-        work(one, source, arguments);
-    } catch (const std::exception&) {
-        ::_exit(1);
-    }
-    ::_exit(0);
-}
-
-/// Returns how many came to their end before the time was over.
-std::size_t run_cases(std::span<Case> cases, std::span<const Source> sources,
-                      const TortureArguments& arguments, Session& session) {
-    unsigned room = session.common().threads;
-    if (room == 0) room = std::max(1U, std::thread::hardware_concurrency());
-    std::size_t started = 0;
-    std::size_t finished = 0;
-    while (finished < cases.size()) {
-        if (started < cases.size() && started - finished < room && !session.is_over()) {
-            Case& next = cases[started];
-            if (start(next, sources[next.source], arguments) < 0) throw std::bad_alloc();
-            ++started;
-            continue;
-        }
-        if (finished == started) break;
-        ::wait(nullptr);
-        ++finished;
-        session.progress().update(static_cast<double>(finished) /
-                                  static_cast<double>(cases.size()));
-    }
-    return finished;
 }
 
 bool is_good(const Outcome& outcome) {
@@ -338,6 +276,12 @@ Result<void> write_document(const TortureArguments& arguments, std::span<const C
 }
 
 Result<ExitStatus> run_torture(const TortureArguments& arguments, Session& session) {
+    if (arguments.space) {
+        if (!arguments.files.empty()) {
+            return fail(Errc::bad_parameter, "--space takes families only; leave out the files");
+        }
+        return torture_space({arguments.families, arguments.seed, arguments.output}, session);
+    }
     if (!arguments.output.empty()) {
         const auto checked = OutputSet::check(std::span(&arguments.output, 1), arguments.files);
         if (!checked) return tl::unexpected(checked.error());
@@ -345,15 +289,18 @@ Result<ExitStatus> run_torture(const TortureArguments& arguments, Session& sessi
     const auto sources = sources_of(arguments);
     if (!sources) return tl::unexpected(sources.error());
     const std::size_t kinds = transforms(arguments.seed).size();
-    const SharedCases shared(sources->size() * kinds);
+    const SharedMemory<Case> shared(sources->size() * kinds);
     const std::span<Case> cases = shared.all();
     for (std::size_t i = 0; i < cases.size(); ++i) {
         cases[i].source = i / kinds;
         cases[i].transform = i % kinds;
     }
     session.keep_from_now_on();
-    const std::size_t finished = session.timed(
-        "build", "torturing", [&] { return run_cases(cases, *sources, arguments, session); });
+    const std::size_t finished = session.timed("build", "torturing", [&] {
+        return run_forked(cases.size(), session, [&](std::size_t i) {
+            work(cases[i], (*sources)[cases[i].source], arguments);
+        });
+    });
     const Summary sum = summary_of(cases);
     const bool is_complete = finished == cases.size();
     std::cout << table_of(cases, *sources, arguments.seed) << std::flush;
@@ -382,6 +329,9 @@ void add_torture(Program& program) {
         ->type_name("NAME")
         ->take_all()
         ->allow_extra_args(false);
+    app.add_flag("--space", arguments->space,
+                 "skeletons of families of space, against exact arithmetic; --family then may have "
+                 "parameters, as in \"grid3 2 2 1\"");
     app.add_option("--seed", arguments->seed, "of the scenes; 1 when not given")->type_name("S");
     app.add_option("--sample", arguments->sample,
                    "rows of each graph that are compared with the reference; 12 when not given")

@@ -216,6 +216,22 @@ def test_reference_agrees_on_sheets(meshes):
     assert finding.status == 0, finding.out + finding.err
 
 
+def test_torture_in_space(meshes):
+    table = run("torture", "--space", "--family", "tetrahedra 3", "--family", "grid3-rotated 2 1 1",
+                "-o", "torture.json")
+    assert table.status == 0, table.out + table.err
+    assert "2 skeletons compared with exact arithmetic (seed 1): filtered wrong on 0" in table.out
+    rows = load(meshes / "torture.json")["result"]["rows"]
+    assert [row["family"] for row in rows] == ["tetrahedra 3", "grid3-rotated 2 1 1"]
+    for row in rows:
+        assert row["nodes"] > 0 and row["arcs"] > row["nodes"]
+        assert sum(row["filtered"][key] for key in ("false_nodes", "missed_nodes", "false_arcs", "missed_arcs")) == 0
+    doubles = rows[1]["double"]
+    assert doubles["crashed"] or doubles["false_nodes"] + doubles["missed_nodes"] > 0
+    assert run("torture", "--space", "--family", "grid3 0").status == 2
+    assert run("torture", "--space", "cube.off").status == 2
+
+
 @pytest.mark.parametrize("arguments, what", [
     (("--pair", "0"), "write F,G"),
     (("--pair", "0,99"), "there is no face 99"),
