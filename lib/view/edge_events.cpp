@@ -88,6 +88,20 @@ const Rational& EdgeOrder::exact(EdgeEvent& x) {
     return table_[x.exact];
 }
 
+// Places made by one line, by points at one place, or by a line and a point on it.
+bool EdgeOrder::certainly_equal(const EdgeEvent& x, const EdgeEvent& y) const {
+    if (x.kind == Kind::vertex && y.kind == Kind::edge) return certainly_equal(y, x);
+    if (x.kind == Kind::vertex && y.kind == Kind::vertex) return image_.certainly_equal(x.a, y.a);
+    if (x.kind == Kind::edge && y.kind == Kind::vertex) {
+        return image_.certainly_collinear(x.a, x.b, y.a);
+    }
+    if (x.kind == Kind::edge && y.kind == Kind::edge) {
+        return image_.certainly_collinear(x.a, x.b, y.a) &&
+               image_.certainly_collinear(x.a, x.b, y.b);
+    }
+    return false;
+}
+
 Sign EdgeOrder::compare(EdgeEvent& x, EdgeEvent& y) {
     constexpr auto predicate = Predicate::constructed_order3;
     if (x.kind == y.kind && x.a == y.a && x.b == y.b && x.c == y.c && x.kind != Kind::fraction) {
@@ -99,6 +113,10 @@ Sign EdgeOrder::compare(EdgeEvent& x, EdgeEvent& y) {
         (x.t.error == 0 && y.t.error == 0)) {
         image_.count(predicate, Tier::filter);
         return sign_of(difference);
+    }
+    if (certainly_equal(x, y)) {
+        image_.count(predicate, Tier::filter);
+        return Sign::zero;
     }
     if (image_.arithmetic() == Arithmetic::interval) {
         image_.count(predicate, Tier::undecided);

@@ -60,6 +60,7 @@ public:
     [[nodiscard]] const Rational& exact(EdgeEvent& x);
 
 private:
+    [[nodiscard]] bool certainly_equal(const EdgeEvent& x, const EdgeEvent& y) const;
     [[nodiscard]] Rational parameter(const EdgeEvent& x);
 
     Image& image_;

@@ -188,12 +188,60 @@ std::optional<Sign> Image::interval_side(std::uint32_t a, std::uint32_t b, std::
                                 scene_.point(b), scene_.point(c));
 }
 
+namespace {
+
+// x - y, when that is a double.
+std::optional<double> exact_difference(double x, double y) {
+    const double d = x - y;
+    if (d + y != x || x - d != y) return std::nullopt;
+    return d;
+}
+
+// Whether a b == c d, decided in doubles; false where they cannot tell.
+bool certainly_equal_products(double a, double b, double c, double d) {
+    const double p = a * b;
+    const double q = c * d;
+    if (p != q) return false;
+    if (p == 0) return (a == 0 || b == 0) && (c == 0 || d == 0);
+    if (!(std::abs(p) > 0x1p-800 && std::abs(p) < 0x1p1000)) return false;
+    return std::fma(a, b, -p) == std::fma(c, d, -q);
+}
+
+bool on_one_line(const Point3& a, const Point3& b, const Point3& c) {
+    const std::array<std::optional<double>, 3> d{
+        exact_difference(b.x, a.x), exact_difference(b.y, a.y), exact_difference(b.z, a.z)};
+    const std::array<std::optional<double>, 3> e{
+        exact_difference(c.x, a.x), exact_difference(c.y, a.y), exact_difference(c.z, a.z)};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!d[k] || !e[k]) return false;
+    }
+    return certainly_equal_products(*d[0], *e[1], *d[1], *e[0]) &&
+           certainly_equal_products(*d[1], *e[2], *d[2], *e[1]) &&
+           certainly_equal_products(*d[2], *e[0], *d[0], *e[2]);
+}
+
+}  // namespace
+
+bool Image::certainly_collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return arithmetic_ == Arithmetic::filtered && std::max({a, b, c}) < vertices_ &&
+           on_one_line(scene_.point(a), scene_.point(b), scene_.point(c));
+}
+
+bool Image::certainly_equal(std::uint32_t a, std::uint32_t b) const {
+    return arithmetic_ == Arithmetic::filtered && std::max(a, b) < vertices_ &&
+           scene_.point(a) == scene_.point(b);
+}
+
 Sign Image::undecided_side(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     constexpr auto predicate = Predicate::image_orientation3;
     if (a == b || b == c || a == c) return Sign::zero;
     if (arithmetic_ == Arithmetic::double_) {
         count(predicate, Tier::filter);
         return sign_of(near_side(plane(a, b), c).value);
+    }
+    if (certainly_collinear(a, b, c)) {
+        count(predicate, Tier::filter);
+        return Sign::zero;
     }
     if (arithmetic_ != Arithmetic::exact) {
         if (const auto sign = interval_side(a, b, c)) {
@@ -255,8 +303,14 @@ Near Image::near_minor(std::uint32_t a, std::uint32_t b, std::size_t k) const {
 }
 
 Rational Image::exact_minor(std::uint32_t a, std::uint32_t b, std::size_t k) {
-    const Vector3 normal = cross(exact(a), exact(b));
-    return k == 0 ? normal.x : k == 1 ? normal.y : normal.z;
+    const auto part = [](const Vector3& v, std::size_t i) -> const Rational& {
+        return i == 0 ? v.x : i == 1 ? v.y : v.z;
+    };
+    const Vector3& p = exact(a);
+    const Vector3& q = exact(b);
+    const std::size_t i = (k + 1) % 3;
+    const std::size_t j = (k + 2) % 3;
+    return part(p, i) * part(q, j) - part(p, j) * part(q, i);
 }
 
 Sign Image::minor(std::uint32_t a, std::uint32_t b, std::size_t k) {
@@ -270,6 +324,10 @@ Sign Image::minor(std::uint32_t a, std::uint32_t b, std::size_t k) {
     if (arithmetic_ != Arithmetic::exact && (x.value > x.error || x.value < -x.error)) {
         count(predicate, Tier::filter);
         return sign_of(x.value);
+    }
+    if (certainly_equal(a, b)) {
+        count(predicate, Tier::filter);
+        return Sign::zero;
     }
     if (arithmetic_ == Arithmetic::interval) {
         count(predicate, Tier::undecided);

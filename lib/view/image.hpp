@@ -71,6 +71,12 @@ public:
     /// A component in which the plane's normal certainly does not vanish; empty when the normal is zero.
     [[nodiscard]] std::optional<std::size_t> main_axis(const SightPlane& plane);
 
+    /// Whether points are certainly on one line of space, decided in doubles; false where these cannot tell, and under
+    /// every arithmetic but `filtered`.
+    [[nodiscard]] bool certainly_collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+    /// Whether two points are certainly one.
+    [[nodiscard]] bool certainly_equal(std::uint32_t a, std::uint32_t b) const;
+
     /// Whether x is at the viewpoint.
     [[nodiscard]] bool is_here(std::uint32_t x);
 

@@ -82,7 +82,28 @@ void Sight::gather(const std::array<double, 3>& near) {
     std::vector<std::uint32_t> triangles;
     for_triangles_near(image_, near, triangles);
     std::sort(triangles.begin(), triangles.end());
-    for (const std::uint32_t t : triangles) add(t);
+    const std::array<double, 3> d{delta_.x.approx_double(), delta_.y.approx_double(),
+                                  delta_.z.approx_double()};
+    // Most are passed at a distance: the line is certainly on different sides of two of their sides.
+    const auto is_passed = [&](const PlacedTriangle& t) {
+        bool left = false;
+        bool right = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SightPlane side = image_.plane(t.corners[k], t.corners[(k + 1) % 3]);
+            double at = 0;
+            double error = 0x1p-1000;
+            for (std::size_t i = 0; i < 3; ++i) {
+                at += side.normal[i] * d[i];
+                error += 0x1p-48 * side.size[i] * std::abs(d[i]);
+            }
+            left = left || at > error;
+            right = right || at < -error;
+        }
+        return left && right;
+    };
+    for (const std::uint32_t t : triangles) {
+        if (!is_passed(image_.scene().triangles[t])) add(t);
+    }
 }
 
 void Sight::add(std::uint32_t triangle) {
