@@ -115,6 +115,7 @@ void Sweep::explore(const Curve& curve, const Interval& interval, unsigned depth
 
 std::optional<Reach> Sweep::reach_of(const Curve& curve, const Interval& interval,
                                      const Parameter& t, const State& state) const {
+    if (state.is_event) return std::nullopt;
     if (!state.is_free) {
         bool hit = false;
         Reach reach = blocked_reach(curve, interval, t, state, hit);
@@ -357,6 +358,18 @@ std::optional<Run> Sweep::run_of(const Curve& curve, bool at_limit) const {
     return std::nullopt;
 }
 
+/// Whether all lines of a pencil are parallel to a face.
+bool Sweep::keeps_to_plane(const Curve& curve, FaceId f) const {
+    const auto keeps = [&](std::size_t i) {
+        const auto of = [&]<typename N>(const N&) {
+            return dot(forms_.plane<N>(f).n, curve.coefficients<N>()[i].d);
+        };
+        return policy_.sign(Predicate::line_form3, of(Real{}),
+                            [&] { return sign_of_integer(of(Integer{})); }) == Sign::zero;
+    };
+    return curve.degree() == 1 && keeps(0) && keeps(1);
+}
+
 /// Whether the contact behind the run is in the plane that the curve needs.
 bool Sweep::is_pressed(const Curve& curve, const std::vector<FaceId>& contact) const {
     return curve.contact().is_none() || std::ranges::any_of(contact, [&](FaceId f) {
@@ -392,6 +405,8 @@ Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
     state.label = cut_.label(*run);
     state.parts = cell_parts(forms_, cut_, *run);
     state.is_arc = is_pressed(curve, state.parts.contact);
+    state.is_event = !std::ranges::all_of(state.parts.contact,
+                                          [&](FaceId f) { return keeps_to_plane(curve, f); });
     state.type = arc_type(curve, cut_, *run, state.label);
     state.stopping = cut_.stopping_faces(*run);
     return state;

@@ -54,7 +54,8 @@ private:
     /// The line at one parameter between events.
     struct State {
         bool is_free = false;
-        bool is_arc = false;  ///< else free, but not by the family's conditions alone
+        bool is_arc = false;    ///< else free, but not by the family's conditions alone
+        bool is_event = false;  ///< a single line between solids in contact behind an end
         SegmentLabel label;
         CellParts parts;
         ArcType type{};
@@ -91,6 +92,7 @@ private:
     [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> generator_places(
         const Curve& curve) const;
     [[nodiscard]] std::optional<Run> run_of(const Curve& curve, bool at_limit) const;
+    [[nodiscard]] bool keeps_to_plane(const Curve& curve, FaceId f) const;
     [[nodiscard]] bool is_pressed(const Curve& curve, const std::vector<FaceId>& contact) const;
     void find_lonely_nodes(const Curve& curve);
     void leave_node(const Line& line, const Run& run);
