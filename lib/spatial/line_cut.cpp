@@ -490,9 +490,8 @@ StoppingFaces LineCut::stopping_faces(const Run& run) const {
     const auto faces_at = [&](std::uint32_t place, std::uint32_t piece, Heading towards) {
         std::vector<FaceId> faces;
         for (const FaceSide& side : end_at(place, piece, towards)) {
-            const auto sign = dot(forms_->plane<Real>(side.face).n, line_->real().d).sign();
-            const Sign entering = towards == Heading::forward ? Sign::negative : Sign::positive;
-            if (sign == entering && !side.back) faces.push_back(side.face);
+            if (side.back) return std::vector<FaceId>{};
+            faces.push_back(side.face);
         }
         return faces;
     };

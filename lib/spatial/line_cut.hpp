@@ -99,7 +99,9 @@ public:
     [[nodiscard]] FaceId blocking_face() const { return blocking_; }
     /// A face that the line crosses inside, strictly between two places; none when there is none.
     [[nodiscard]] FaceId face_between(std::uint32_t first, std::uint32_t last) const;
-    /// For each end of the run, faces whose planes the line surely crosses there, from front to back.
+    /// For each end of the run, all faces there, at least one of which the line crosses from front to back. (Where
+    /// lines near it pass the end, they do so beside one of the faces; so none may be left out.)
+    /// Empty where a sheet's back stops it.
     [[nodiscard]] StoppingFaces stopping_faces(const Run& run) const;
     /// The run that contains all places from first to last, which are two different ones.
     [[nodiscard]] std::optional<Run> run_through(std::uint32_t first, std::uint32_t last) const;

@@ -44,9 +44,8 @@ TEST_P(LargerSkeleton, FilteredAndThreadedEqualExact) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, LargerSkeleton,
-    ::testing::Values("family random-tetrahedra 6", "family random-boxes 4",
-                      "family cubes-round-vertex 8", "family stack 5", "family grid3 2 2 2",
-                      "family checkerboard3 2 2 2", "family chain3 5",
+    ::testing::Values("family tetrahedra 6", "family boxes 4", "family stack 4",
+                      "family grid3 2 2 2", "family checkerboard3 2 2 2", "family chain3 5",
                       "family touching-box-on-table",
                       "family u-shape; box 5 0 0, 6 2 1; sheet 3 3 3, 5 4 3, 4 5 6"),
     [](const auto& test) { return "Scene" + std::to_string(test.index); });
@@ -74,7 +73,7 @@ SceneInput3 nudged(SceneInput3 input, std::uint64_t seed) {
 /// left.
 TEST(VisibilitySkeletonLaws, NearDegenerateScenesEqualTheReference) {
     int valid = 0;
-    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
         testing::Scene3Recipe recipe{.grid = 3, .bodies = 2, .touching = false};
         const auto input = nudged(testing::Scene3Lottery(seed, recipe).draw(), seed);
         const auto scene = Scene3::make(input);
@@ -82,7 +81,7 @@ TEST(VisibilitySkeletonLaws, NearDegenerateScenesEqualTheReference) {
         ++valid;
         EXPECT_TRUE(testing::equals_reference(*scene, swept)) << testing::to_text(input);
     }
-    EXPECT_GT(valid, 30);
+    EXPECT_GT(valid, 25);
 }
 
 }  // namespace
