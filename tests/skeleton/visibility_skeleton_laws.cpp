@@ -56,6 +56,7 @@ SceneInput3 nudged(SceneInput3 input, std::uint64_t seed) {
     const auto nudge = [&](double& x) {
         const std::uint64_t choice = bits() % 3;
         const double infinity = std::numeric_limits<double>::infinity();
+        x += 1;  // next to 0 all is denormal
         if (choice == 1) x = std::nextafter(x, infinity);
         if (choice == 2) x = std::nextafter(x, -infinity);
     };
