@@ -43,6 +43,22 @@ public:
         return {v, propagated + u * std::abs(v) + std::numeric_limits<double>::min()};
     }
 
+    /// a₀b₀ + a₁b₁ + a₂b₂ with one bound for all five operations, which err by less than 3u + O(u²) of the sum
+    /// of the absolute products.
+    [[nodiscard]] friend ErrorBounded sum_of_products(
+        const ErrorBounded& a0, const ErrorBounded& b0, const ErrorBounded& a1,
+        const ErrorBounded& b1, const ErrorBounded& a2, const ErrorBounded& b2) {
+        const double p0 = a0.value_ * b0.value_;
+        const double p1 = a1.value_ * b1.value_;
+        const double p2 = a2.value_ * b2.value_;
+        const double size = std::abs(p0) + std::abs(p1) + std::abs(p2);
+        const double propagated =
+            (std::abs(a0.value_) * b0.error_ + (std::abs(b0.value_) + b0.error_) * a0.error_) +
+            (std::abs(a1.value_) * b1.error_ + (std::abs(b1.value_) + b1.error_) * a1.error_) +
+            (std::abs(a2.value_) * b2.error_ + (std::abs(b2.value_) + b2.error_) * a2.error_);
+        return {p0 + p1 + p2, propagated + 4 * u * size + std::numeric_limits<double>::min()};
+    }
+
     /// Nothing is known of the quotient when b may be zero: the bound is infinite.
     [[nodiscard]] friend ErrorBounded operator/(const ErrorBounded& a, const ErrorBounded& b) {
         const double least = std::abs(b.value_) - b.error_ * (1 + 0x1p-40);
