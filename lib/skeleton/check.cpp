@@ -226,7 +226,35 @@ private:
         for (const auto& [t, v] : path.vertices) {
             if (is_inside(t)) add(t, index_.arcs_at(v));
         }
+        add_contact_events(path, events);
         return merged(std::move(events));
+    }
+
+    /// Behind an end a line may run between bodies in contact, when it lies in the plane of a face.
+    void add_contact_events(const LinePath& path, std::vector<Event>& events) const {
+        if (!scene_.has_touching_bodies()) return;
+        const std::vector<ArcId> arcs = index_.arcs_in(path.family);
+        for (std::uint32_t f = 0; f < scene_.faces().size(); ++f) {
+            const Plane3 plane = plane_of(FaceId{f}, scene_);
+            if (!has_generator_in(plane, path.family)) continue;
+            const auto c = path.curve.rise(plane.normal);
+            const bool vanishes =
+                std::ranges::all_of(c, [](const Rational& x) { return x.sign() == Sign::zero; });
+            if (vanishes) continue;
+            for (const Surd& t : zeros_of(c)) {
+                if (is_inside(t)) events.push_back({t, {arcs.begin(), arcs.end()}});
+            }
+        }
+    }
+
+    [[nodiscard]] bool has_generator_in(const Plane3& plane, const LineFamily2& family) const {
+        const auto contains = [&](VertexId v) {
+            return plane.height(to_rational(scene_[v])).sign() == Sign::zero;
+        };
+        if (family.vertex) return contains(*family.vertex);
+        const auto [e, f] = *family.edges;
+        return (contains(scene_[e].source) && contains(scene_[e].target)) ||
+               (contains(scene_[f].source) && contains(scene_[f].target));
     }
 
     /// In order, one at each t.

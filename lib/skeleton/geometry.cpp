@@ -76,7 +76,7 @@ public:
             for (const EdgeId e : support.edges) {
                 if (!is_on(carrier(e, *scene_), place(*scene_, v))) return ArcGenerators{{v}, {e}};
             }
-            return std::nullopt;
+            return family_of(skeleton, arc) ? std::optional(ArcGenerators{{v}, {}}) : std::nullopt;
         }
         const auto& edges = support.edges;
         if (edges.size() == 3) return ArcGenerators{{}, edges};
@@ -90,22 +90,22 @@ public:
                 }
             }
         }
-        return std::nullopt;
+        return ArcGenerators{{}, edges};  // with the plane of a contact
     }
 
     std::vector<RationalLine3> lines(const VisibilitySkeleton& skeleton, ArcId arc,
                                      std::size_t count) {
         const auto family = family_of(skeleton, arc);
-        return family ? lines_of_family(*family, skeleton[arc].label.support, count)
+        return family ? lines_of_family(*family, skeleton, arc, count)
                       : std::vector<RationalLine3>{};
     }
 
     bool contains(const VisibilitySkeleton& skeleton, ArcId arc, const SurdLine3& l) {
         const auto family = family_of(skeleton, arc);
         if (!family || !family->swath.contains(l)) return false;
-        const auto base = base_of(*family, skeleton[arc].label.support);
+        const auto base = base_of(*family, skeleton, arc);
         if (!base) return false;
-        const auto t = position(l, base->edge);
+        const auto t = position(l, base->source, base->target);
         return t && std::min(base->first, base->last) < *t &&
                *t < std::max(base->first, base->last);
     }
@@ -120,7 +120,7 @@ public:
         };
         const SkeletonArc& a = skeleton[arc];
         add(family->first, skeleton[a.nodes[0]].label);
-        for (const auto& l : lines_of_family(*family, a.label.support, count)) {
+        for (const auto& l : lines_of_family(*family, skeleton, arc, count)) {
             add(to_surd(l), a.label);
         }
         add(family->last, skeleton[a.nodes[1]].label);
@@ -344,7 +344,81 @@ private:
         const auto first =
             lines_of_node(skeleton[a.nodes[0]]);  // a copy: asking for more may forget it
         const auto& last = lines_of_node(skeleton[a.nodes[1]]);
-        for (Swath& swath : candidate_swaths(a.label.support)) {
+        auto family = family_among(candidate_swaths(a.label.support), first, last);
+        return family ? family : family_among(contact_swaths(a.label), first, last);
+    }
+
+    /// Whether three edges, two of which may cross, leave this family and no larger one.
+    [[nodiscard]] bool fixes(const ArcGenerators& g, const Swath& swath) const {
+        const auto swaths = candidate_swaths({{}, g.edges, {}});
+        return std::ranges::find(swaths, swath) != swaths.end();
+    }
+
+    /// Two points of a line that every line of the family meets in a point of its own, and where the first and the
+    /// last do: 0 at `source`, 1 at `target`.
+    struct Base {
+        RationalPoint3 source;
+        RationalPoint3 target;
+        Surd first;
+        Surd last;
+    };
+
+    std::optional<Base> base_of(const Family& family, const VisibilitySkeleton& skeleton,
+                                ArcId arc) {
+        const Swath& swath = family.swath;
+        for (const EdgeId e : skeleton[arc].label.support.edges) {
+            const RationalLine3 l = carrier(e, *scene_);
+            if (!swath.all_meet(l) || swath.contains(l)) continue;
+            if (!swath.is_regulus() && is_on(l, swath.centre())) continue;
+            const RationalPoint3 source = place(*scene_, (*scene_)[e].source);
+            const RationalPoint3 target = place(*scene_, (*scene_)[e].target);
+            const auto first = position(family.first, source, target);
+            const auto last = position(family.last, source, target);
+            if (first && last) return Base{source, target, *first, *last};
+        }
+        return base_across(family, skeleton, arc);
+    }
+
+    /// Across that one of the two sectors between the first and the last line of a pencil whose lines have the
+    /// arc's label.
+    std::optional<Base> base_across(const Family& family, const VisibilitySkeleton& skeleton,
+                                    ArcId arc) {
+        if (family.swath.is_regulus() || !family.swath.centre().is_finite()) return std::nullopt;
+        const Vector3 centre = family.swath.centre().divided();
+        const auto at = [&](const Vector3& d) {
+            return RationalPoint3{centre.x + d.x, centre.y + d.y, centre.z + d.z};
+        };
+        const auto first = rational_direction(family.first);
+        const auto last = rational_direction(family.last);
+        if (!first || !last) return std::nullopt;
+        for (const Vector3& other : {*last, -*last}) {
+            const RationalLine3 middle = line_through(at({0, 0, 0}), at(*first + other));
+            if (!has_label(to_surd(middle), skeleton[arc].label)) continue;
+            return Base{at(*first), at(other), Surd(0), Surd(1)};
+        }
+        return std::nullopt;
+    }
+
+    static std::optional<Vector3> rational_direction(const SurdLine3& l) {
+        const SurdVector3& d = l.d;
+        if (!d.x.is_rational() || !d.y.is_rational() || !d.z.is_rational()) return std::nullopt;
+        return Vector3{d.x.rational_part(), d.y.rational_part(), d.z.rational_part()};
+    }
+
+    /// Where a line meets the line of two points; empty for parallels.
+    [[nodiscard]] static std::optional<Surd> position(const SurdLine3& l,
+                                                      const RationalPoint3& source,
+                                                      const RationalPoint3& target) {
+        const auto x = meeting_point(l, to_surd(line_through(source, target)));
+        if (!x.is_finite()) return std::nullopt;
+        const SurdVector3 d = to_surd(target - source);
+        return dot(x.divided() - to_surd(vector_to(source)), d) / dot(d, d);
+    }
+
+    static std::optional<Family> family_among(std::vector<Swath> swaths,
+                                              const std::vector<SurdLine3>& first,
+                                              const std::vector<SurdLine3>& last) {
+        for (Swath& swath : swaths) {
             for (const SurdLine3& from : first) {
                 for (const SurdLine3& to : last) {
                     if (!swath.contains(from) || !swath.contains(to) || from == to) continue;
@@ -355,50 +429,33 @@ private:
         return std::nullopt;
     }
 
-    /// Whether three edges, two of which may cross, leave this family and no larger one.
-    [[nodiscard]] bool fixes(const ArcGenerators& g, const Swath& swath) const {
-        const auto swaths = candidate_swaths({{}, g.edges, {}});
-        return std::ranges::find(swaths, swath) != swaths.end();
-    }
-
-    /// An edge that every line of the family meets in a point of its own, and where the first and the last do.
-    struct Base {
-        EdgeId edge;
-        Surd first;
-        Surd last;
-    };
-
-    [[nodiscard]] std::optional<Base> base_of(const Family& family, const Support& support) const {
-        const Swath& swath = family.swath;
-        for (const EdgeId e : support.edges) {
-            const RationalLine3 l = carrier(e, *scene_);
-            if (!swath.all_meet(l) || swath.contains(l)) continue;
-            if (!swath.is_regulus() && is_on(l, swath.centre())) continue;
-            const auto first = position(family.first, e);
-            const auto last = position(family.last, e);
-            if (first && last) return Base{e, *first, *last};
+    /// Pencils in planes of faces at the ends: behind an end the lines may run between bodies in contact.
+    [[nodiscard]] std::vector<Swath> contact_swaths(const SegmentLabel& label) const {
+        const Support& support = label.support;
+        std::vector<Swath> swaths;
+        for (const SegmentEnd& end : label.ends) {
+            for (const FaceSide& side : end) {
+                const Plane3 plane = plane_of(side.face, *scene_);
+                auto points = points_in(plane, support);
+                if (support.vertices.empty()) {
+                    for (const RationalPoint3& x : crossings(*scene_, support.edges)) {
+                        if (plane.height(x).sign() == Sign::zero) points.push_back(x);
+                    }
+                }
+                for (const RationalPoint3& x : points) {
+                    swaths.push_back(Swath::pencil({vector_to(x), 1}, plane));
+                }
+            }
         }
-        return std::nullopt;
+        return swaths;
     }
 
-    /// Where the line meets the edge's line: 0 at its source, 1 at its target; empty for parallels.
-    [[nodiscard]] std::optional<Surd> position(const SurdLine3& l, EdgeId e) const {
-        const RationalLine3 over = carrier(e, *scene_);
-        const auto x = meeting_point(l, to_surd(over));
-        if (!x.is_finite()) return std::nullopt;
-        const SurdVector3 from = to_surd(vector_to(place(*scene_, (*scene_)[e].source)));
-        const SurdVector3 d = to_surd(over.d);
-        return dot(x.divided() - from, d) / dot(d, d);
-    }
-
-    [[nodiscard]] std::vector<RationalLine3> lines_of_family(const Family& family,
-                                                             const Support& support,
-                                                             std::size_t count) const {
-        const auto base = base_of(family, support);
+    std::vector<RationalLine3> lines_of_family(const Family& family,
+                                               const VisibilitySkeleton& skeleton, ArcId arc,
+                                               std::size_t count) {
+        const auto base = base_of(family, skeleton, arc);
         if (!base) return {};
-        const Edge3& edge = (*scene_)[base->edge];
-        const LineCurve3 curve =
-            family.swath.along(place(*scene_, edge.source), place(*scene_, edge.target));
+        const LineCurve3 curve = family.swath.along(base->source, base->target);
         const auto [least, greatest] = std::minmax(base->first, base->last);
         const double from = base->first.approx_double();
         const double step = (base->last.approx_double() - from) / static_cast<double>(count + 1);

@@ -47,7 +47,9 @@ INSTANTIATE_TEST_SUITE_P(
                       "family l-shape", "family tetrahedra 3", "family boxes 3",
                       "family boxes-turned 2", "family triangles 4", "family polytopes 2 12",
                       "family needles3 3", "family touching-box-on-table", "family touching-edge",
-                      "family touching-vertex-on-edge", "family touching-edge-crossing",
+                      "family touching-face", "family touching-partial-face",
+                      "family cubes-round-vertex 5", "family touching-vertex-on-edge",
+                      "family touching-edge-crossing",
                       "sheet 0 0 0, 4 0 0, 0 4 0; sheet 0 0 3, 4 0 3, 0 4 3",
                       "box 0 0 0, 1 1 1; box 2 0 0, 3 1 1; box 4 0 0, 5 1 1",
                       "world; box 0 0 0, 8 8 8; box 2 3 0, 5 5 4"));

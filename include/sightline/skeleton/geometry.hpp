@@ -45,7 +45,8 @@ struct ApproxSegment {
 [[nodiscard]] ApproxSegment approx_end_points(const SkeletonSegment& segment);
 
 /// The least subset of an arc's support that fixes its family of lines: a vertex and an edge, or three edges;
-/// the first one in lexicographic order.
+/// the first one in lexicographic order. Where the lines are held in the plane of a contact between bodies too, behind
+/// an end, that plane goes with what the support has: a vertex, or edges.
 struct ArcGenerators {
     std::vector<VertexId> vertices;
     std::vector<EdgeId> edges;
