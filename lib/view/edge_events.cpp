@@ -52,9 +52,10 @@ EdgeEvent EdgeOrder::plane(std::uint32_t a, std::uint32_t b, std::uint32_t c) co
 }
 
 EdgeEvent EdgeOrder::fraction(const Rational& t) {
-    EdgeEvent x{.kind = Kind::fraction, .t = {t.approx_double(), 0x1p-50}};
-    x.exact = static_cast<std::uint32_t>(table_.size());
-    table_.push_back(t);
+    EdgeEvent x;
+    x.kind = Kind::fraction;
+    x.t = {t.approx_double(), 0x1p-50};
+    x.value = std::make_shared<const Rational>(t);
     return x;
 }
 
@@ -75,7 +76,7 @@ Rational EdgeOrder::parameter(const EdgeEvent& x) {
         case Kind::fraction:
             break;
     }
-    return table_[x.exact];
+    return *x.value;
 }
 
 const Rational& EdgeOrder::exact(EdgeEvent& x) {

@@ -4,6 +4,7 @@
 /// Places along one edge where other features pass before it, in exact order. Private.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "view/image.hpp"
@@ -18,7 +19,7 @@ struct EdgeEvent {
         edge,     ///< where the image of the segment ab crosses
         vertex,   ///< where the image of a lies, which is on the edge's great circle
         plane,    ///< where the edge crosses the plane of a, b, c
-        fraction  ///< at the exact parameter `exact`
+        fraction  ///< at the parameter `value`
     };
     Kind kind = Kind::source;
     bool hides = false;  ///< the edge is hidden on one side
@@ -29,6 +30,7 @@ struct EdgeEvent {
     std::uint32_t other = no_edge;  ///< for fractions: another one
     std::uint32_t exact = no_edge;  ///< index into EdgeOrder's table, or none
     Near t;
+    std::shared_ptr<const Rational> value{};  ///< of fractions
 };
 
 /// Orders places of one edge.

@@ -136,7 +136,8 @@ void EdgeSight::gather(std::vector<std::uint32_t>& out) const {
             half += std::abs(normal[k]) * h;
             reach += std::abs(m) + h;
         }
-        const double margin = 0x1p-44 * size * reach;
+        // What underflows rejects nothing.
+        const double margin = 0x1p-44 * size * reach + 0x1p-1000;
         return both ? std::abs(at) > half + margin : at + half < -margin;
     };
     Box3 bounds = Box3::of(pu, pw);

@@ -296,7 +296,8 @@ bool Assembly::cross_arcs(const Vector3& a, const Vector3& b, std::vector<Crossi
         const auto& s = image_.size(x);
         const double value = n[0] * r[0] + n[1] * r[1] + n[2] * r[2];
         const double error =
-            0x1p-48 * (std::abs(n[0]) * s[0] + std::abs(n[1]) * s[1] + std::abs(n[2]) * s[2]);
+            0x1p-48 * (std::abs(n[0]) * s[0] + std::abs(n[1]) * s[1] + std::abs(n[2]) * s[2]) +
+            0x1p-1000;
         return value > error ? 1 : value < -error ? -1 : 0;
     };
     // Linear forms that are not negative on the way; where both ends of an edge are certainly off it, the edge is.
@@ -316,7 +317,7 @@ bool Assembly::cross_arcs(const Vector3& a, const Vector3& b, std::vector<Crossi
     const auto is_off = [&](const std::array<double, 3>& form, std::uint32_t x) {
         const auto& r = image_.rounded(x);
         return form[0] * r[0] + form[1] * r[1] + form[2] * r[2] <
-               -form_error * norm(image_.size(x));
+               -form_error * norm(image_.size(x)) - 0x1p-1000;
     };
     for (std::uint32_t i = 0; i < arcs_.size(); ++i) {
         const Arc& arc = arcs_[i];

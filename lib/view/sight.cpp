@@ -56,7 +56,7 @@ void for_triangles_near(const Image& image, const std::array<double, 3>& near,
             h[k] = box.high[k] / 2 - box.low[k] / 2;
             reach += std::abs(m[k]) + h[k];
         }
-        const double margin = 0x1p-44 * (size * reach + length * reach);
+        const double margin = 0x1p-44 * (size * reach + length * reach) + 0x1p-1000;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t i = (k + 1) % 3;
             const std::size_t j = (k + 2) % 3;
