@@ -26,6 +26,8 @@ fi
 if [ -n "$maps" ]; then
     "$build/experiments/02-maps2d" --data "$maps" --out "$out/02-maps2d/results"
 fi
+mkdir -p "$out/06-skeleton-size"
+"$build/experiments/06-skeleton-size" --out "$out/06-skeleton-size"
 for bench in bench_geom bench_planar; do
     "$build/bin/$bench" --benchmark_out="$out/bench/results/$bench.json"
 done

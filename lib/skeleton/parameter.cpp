@@ -77,12 +77,12 @@ Parameter Parameter::root(const Curve& curve, const EventForm& form, int branch,
 const ExactParameter& Parameter::exact() const {
     if (exact_) return *exact_;
     auto exact = std::make_shared<ExactParameter>();
-    if (curve_ == nullptr) {
-        const mpq_class value(real_.value());
-        exact->p = value.get_num();
-        exact->r = value.get_den();
-    } else {
-        *exact = solve(curve_->evaluate<Integer>(form_), branch_);
+    if (curve_ != nullptr) *exact = solve(curve_->evaluate<Integer>(form_), branch_);
+    // Where plain doubles took a vanishing coefficient for another number there is no such root.
+    const bool has_root = curve_ != nullptr && sgn(exact->r) != 0 && sgn(exact->D) >= 0;
+    if (!has_root) {
+        const mpq_class value(std::isfinite(real_.value()) ? real_.value() : 0.0);
+        *exact = {value.get_num(), 0, value.get_den(), 1};
     }
     exact_ = std::move(exact);
     return *exact_;
@@ -172,7 +172,8 @@ Parameter between_exactly(const Parameter& a, const Parameter& b, unsigned attem
         const Integer numerator = low + (high - low) / 64 * share_of(attempt);
         return Parameter::rational(numerator, denominator);
     }
-    return Parameter::dyadic(a.real().value() / 2 + b.real().value() / 2);
+    const double middle = a.real().value() / 2 + b.real().value() / 2;
+    return Parameter::dyadic(std::isfinite(middle) ? middle : 0.5);
 }
 
 }  // namespace
