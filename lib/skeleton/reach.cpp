@@ -29,7 +29,10 @@ void ReachSearch::search_edges(std::span<const EdgeId> edges) {
 }
 
 bool ReachSearch::consider_edge(EdgeId e, bool everywhere) {
-    const bool is_generator = std::ranges::find(curve_.edges(), e) != curve_.edges().end();
+    // Lines of a contact's pencil may run along one of the edges that cross there.
+    const bool is_generator = curve_.kind() == CurveKind::contact_pencil
+                                  ? e == curve_.base()
+                                  : std::ranges::find(curve_.edges(), e) != curve_.edges().end();
     const EventForm form{EventForm::Kind::line, e.value, 0, VertexId::none(), 0};
     if (is_generator) return consider_crossings(e, everywhere);  // their ends are the interval's
     const Quadratic<Real> q = curve_.evaluate<Real>(form);

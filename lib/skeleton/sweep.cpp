@@ -385,7 +385,7 @@ Sweep::State Sweep::look(const Curve& curve, const Parameter& t) {
     const VertexId vertex = curve.vertex();
     if (curve.has_vertex() && !vertex.is_none()) known.vertices = {&vertex, 1};
     known.edges = curve.edges();
-    known.is_general = true;
+    known.is_general = curve.kind() != CurveKind::contact_pencil;
     known.only_their_segment = true;
     cut_.cut(line, known);
     if (!cut_.blocking_face().is_none()) {
