@@ -12,10 +12,16 @@ Sweep::Sweep(const SceneForms& forms, const Policy& policy, SweepOutput output)
 
 void Sweep::run(const Curve& curve) {
     for (const Interval& interval : intervals(curve)) {
-        blocked_.clear();
-        explore(curve, interval, 0);
-        find_lonely_nodes(curve);
+        rank_ = 0;
+        do {
+            has_more_ = false;
+            blocked_.clear();
+            explore(curve, interval, 0);
+            if (rank_ == 0) find_lonely_nodes(curve);
+            ++rank_;
+        } while (has_more_);
     }
+    rank_ = 0;
 }
 
 bool Sweep::meets_generators(const Curve& curve, const Parameter& t) const {
@@ -139,7 +145,9 @@ void Sweep::search_free(ReachSearch& search, const Curve& curve, const State& st
 Reach Sweep::blocked_reach(const Curve& curve, const Interval& interval, const Parameter& t,
                            const State& state, bool& hit) const {
     ReachSearch search(curve, interval, t);
-    if (!state.blocker.is_none()) {
+    if (rank_ > 0) {
+        search.search_all({});
+    } else if (!state.blocker.is_none()) {
         search.search_edges(forms_.edges_of(state.blocker));
     } else if (!curve.contact().is_none()) {
         search.search_all({});
@@ -346,11 +354,17 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> Sweep::generator_places(
 
 /// The cut line's run that touches the generators; of a border pencil, the run that ends there, if it is not at
 /// the pencil's limit.
-std::optional<Run> Sweep::run_of(const Curve& curve, bool at_limit) const {
+std::optional<Run> Sweep::run_of(const Curve& curve, bool at_limit) {
     const auto places = generator_places(curve);
     if (!places) return std::nullopt;
     if (curve.kind() != CurveKind::border_pencil || at_limit) {
-        return cut_.run_through(places->first, places->second);
+        std::vector<Run> through;
+        for (const Run& run : cut_.runs()) {
+            if (run.contains(places->first) && run.contains(places->second)) through.push_back(run);
+        }
+        has_more_ = has_more_ || through.size() > rank_ + 1;
+        if (through.empty() || (rank_ >= through.size() && !at_limit)) return std::nullopt;
+        return through[std::min<std::size_t>(rank_, through.size() - 1)];
     }
     for (const Run& run : cut_.runs()) {
         if (run.first == places->first || run.last == places->first) return run;

@@ -91,7 +91,7 @@ private:
                                                        const EventName& at, const State* unless);
     [[nodiscard]] std::optional<std::pair<std::uint32_t, std::uint32_t>> generator_places(
         const Curve& curve) const;
-    [[nodiscard]] std::optional<Run> run_of(const Curve& curve, bool at_limit) const;
+    [[nodiscard]] std::optional<Run> run_of(const Curve& curve, bool at_limit);
     [[nodiscard]] bool keeps_to_plane(const Curve& curve, FaceId f) const;
     [[nodiscard]] bool is_pressed(const Curve& curve, const std::vector<FaceId>& contact) const;
     void find_lonely_nodes(const Curve& curve);
@@ -102,6 +102,9 @@ private:
     const Policy& policy_;
     SweepOutput output_;
     LineCut cut_;
+    // Where sheets are crossed, several segments of one line may touch the generators: a sweep for each.
+    std::size_t rank_ = 0;
+    bool has_more_ = false;
     std::vector<NearEdge> near_;
     std::vector<Reach> blocked_;  ///< stays in blocked states, from left to right
 };

@@ -46,6 +46,11 @@ TEST(VisibilitySkeletonDifferential, TrianglesApart) {
     expect_same({.bodies = 3, .solids = false}, 1000, 30);
 }
 
+TEST(VisibilitySkeletonDifferential, TrianglesThatJoinBodiesAndEachOther) {
+    expect_same({.bodies = 2, .sheets = true, .joined = true}, 90, 20);
+    expect_same({.bodies = 2, .joined = true, .solids = false}, 240, 40);
+}
+
 TEST(VisibilitySkeletonDifferential, TheMixture) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const SceneInput3 input = testing::random_scene3(seed);

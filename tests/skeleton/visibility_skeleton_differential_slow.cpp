@@ -24,5 +24,16 @@ INSTANTIATE_TEST_SUITE_P(Seeds, VisibilitySkeletonMixture,
                          ::testing::Range(std::uint64_t{20}, std::uint64_t{1020},
                                           std::uint64_t{50}));
 
+TEST(VisibilitySkeletonJoined, EqualsTheReference) {
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+        const testing::Scene3Recipe recipe{
+            .grid = 2 + static_cast<int>(seed % 5), .sheets = true, .joined = true};
+        const SceneInput3 input = testing::Scene3Lottery(seed, recipe).draw();
+        ASSERT_TRUE(testing::equals_reference(
+            testing::scene3(input), [](const Scene3& scene) { return visibility_skeleton(scene); }))
+            << "seed " << seed;
+    }
+}
+
 }  // namespace
 }  // namespace sightline
