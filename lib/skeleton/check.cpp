@@ -24,6 +24,18 @@ constexpr std::size_t most_mismatches = 20;
 /// The labels of the maximal free segments that touch a family's generators; at a vertex there may be two.
 using Labels = std::vector<SegmentLabel>;
 
+/// Where several faces of a sheet meet at an end, their sides change with the line's direction although no other
+/// feature is touched; that is no crossing.
+SegmentLabel without_sides(SegmentLabel label) {
+    for (SegmentEnd& end : label.ends) {
+        if (end.size() < 2) continue;
+        for (FaceSide& side : end) side.back = false;
+        std::ranges::sort(end);
+    }
+    std::ranges::sort(label.ends);
+    return label;
+}
+
 /// Cuts lines of a path.
 class Shooter {
 public:
@@ -45,7 +57,8 @@ public:
         if (first == Run::none || last == Run::none) return {};
         Labels result;
         for (const Run& run : cut_.runs()) {
-            if (run.contains(first) && run.contains(last)) result.push_back(cut_.label(run));
+            if (run.contains(first) && run.contains(last))
+                result.push_back(without_sides(cut_.label(run)));
         }
         std::ranges::sort(result);
         return result;
@@ -323,7 +336,7 @@ private:
                 *before.labels);
         }
         for (const ArcId arc : crossed_arcs(of_family, event, line)) {
-            const auto same = std::ranges::find(found, skeleton_[arc].label);
+            const auto same = std::ranges::find(found, without_sides(skeleton_[arc].label));
             if (same == found.end()) {
                 report_false(arc, "is not found by shooting along " + text_of(line));
                 continue;

@@ -261,7 +261,8 @@ private:
         const Support& support = node.label.support;
         std::vector<Plane3> planes;
         for (const FaceId f : node.faces) planes.push_back(plane_of(f, *scene_));
-        if (planes.empty()) planes = planes_at(support);
+        const auto others = planes_at(support);
+        planes.insert(planes.end(), others.begin(), others.end());
         for (std::size_t i = 0; i < planes.size(); ++i) {
             const auto points = points_in(planes[i], support);
             for (std::size_t j = 0; j < points.size(); ++j) {
@@ -341,9 +342,8 @@ private:
 
     std::optional<Family> family_of(const VisibilitySkeleton& skeleton, ArcId arc) {
         const SkeletonArc& a = skeleton[arc];
-        const auto first =
-            lines_of_node(skeleton[a.nodes[0]]);  // a copy: asking for more may forget it
-        const auto& last = lines_of_node(skeleton[a.nodes[1]]);
+        const auto first = lines_among_arcs(skeleton, a.nodes[0]);
+        const auto last = lines_among_arcs(skeleton, a.nodes[1]);
         auto family = family_among(candidate_swaths(a.label.support), first, last);
         return family ? family : family_among(contact_swaths(a.label), first, last);
     }
@@ -413,6 +413,21 @@ private:
         if (!x.is_finite()) return std::nullopt;
         const SurdVector3 d = to_surd(target - source);
         return dot(x.divided() - to_surd(vector_to(source)), d) / dot(d, d);
+    }
+
+    /// The lines that a node may stand for, less those that some arc at it can't end in.
+    std::vector<SurdLine3> lines_among_arcs(const VisibilitySkeleton& skeleton, NodeId n) {
+        std::vector<SurdLine3> lines = lines_of_node(skeleton[n]);
+        if (lines.size() < 2) return lines;
+        for (const ArcId a : skeleton.arcs_at(n)) {
+            auto swaths = candidate_swaths(skeleton[a].label.support);
+            for (Swath& swath : contact_swaths(skeleton[a].label))
+                swaths.push_back(std::move(swath));
+            std::erase_if(lines, [&](const SurdLine3& l) {
+                return std::ranges::none_of(swaths, [&](const Swath& s) { return s.contains(l); });
+            });
+        }
+        return lines;
     }
 
     static std::optional<Family> family_among(std::vector<Swath> swaths,

@@ -47,7 +47,7 @@ struct SkeletonCheck {
 /// - An arc that has such a line strictly between its nodes' lines must be found so, else it is false.
 /// - A label that changes without a crossing between is isolated by bisection; an arc is missing there.
 ///
-/// Tells nothing about nodes but that they bound the arcs. Errors: limit_reached and cancelled.
+/// Sides of sheets are not compared at ends where several faces meet. Tells nothing about nodes but that they bound the arcs. Errors: limit_reached and cancelled.
 /// Cost: O(n) exact polynomials and some ten shots a path.
 [[nodiscard]] Result<SkeletonCheck> check_skeleton(const Scene3& scene,
                                                    const VisibilitySkeleton& skeleton,
