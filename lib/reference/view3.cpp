@@ -34,7 +34,10 @@ public:
             if (!scene_.is_feature(VertexId{v}) || is_here(points_[v])) continue;
             if (sees(points_[v])) nodes_.insert(label_of(points_[v]));
         }
-        for (std::uint32_t e = 0; e < scene_.edges().size(); ++e) look_at(EdgeId{e});
+        // A place that is a node for one edge is one for all edges over it.
+        for (const bool draws : {false, true}) {
+            for (std::uint32_t e = 0; e < scene_.edges().size(); ++e) look_at(EdgeId{e}, draws);
+        }
         ViewLabels3 labels;
         labels.nodes.assign(nodes_.begin(), nodes_.end());
         labels.arcs.assign(arcs_.begin(), arcs_.end());
@@ -149,7 +152,15 @@ private:
         RationalPoint3 middle;
     };
 
-    void look_at(EdgeId e) {
+    /// One name for all points on a line of sight.
+    [[nodiscard]] Vector3 direction_key(const RationalPoint3& x) const {
+        const Vector3 d = sight(x);
+        if (from_.at_infinity) return vector_to(x) - (dot(d, vector_to(x)) / dot(d, d)) * d;
+        const Rational size = abs(d.x) + abs(d.y) + abs(d.z);
+        return (Rational(1) / size) * d;
+    }
+
+    void look_at(EdgeId e, bool draws) {
         if (left_of(source(e), target(e)).is_zero()) return;
         const auto at = [&](const Rational& t) { return source(e) + t * (target(e) - source(e)); };
         std::vector<Seen> seen;
@@ -171,10 +182,11 @@ private:
             const bool is_node = !before || !seen[i].gap || !node.vertices.empty() ||
                                  std::any_of(node.edges.begin(), node.edges.end(),
                                              [&](EdgeId f) { return cross_in_image(e, f); });
-            if (!is_node) continue;
+            if (is_node) places_.insert(direction_key(seen[i].at));
+            if (!is_node && !(draws && places_.contains(direction_key(seen[i].at)))) continue;
             const bool is_end = i == 0 || i + 1 == seen.size();
             if (is_end || before || seen[i].gap || !node.edges.empty()) nodes_.insert(node);
-            if (last && before) add_arc(e, *last, node, seen[i - 1].middle);
+            if (draws && last && before) add_arc(e, *last, node, seen[i - 1].middle);
             last = node;
         }
     }
@@ -217,6 +229,7 @@ private:
     std::vector<RationalPoint3> points_;
     Rational distance_;
     std::set<ViewNode> nodes_;
+    std::set<Vector3> places_;
     std::set<ViewLabels3::Arc> arcs_;
 };
 

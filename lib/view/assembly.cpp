@@ -76,6 +76,7 @@ void Assembly::name_place(std::uint32_t edge, const EdgePlace& place, std::uint3
     n.edges = place.edges;
     if (!at_end) n.edges.push_back(edge);
     for (const std::uint32_t v : place.points) join_vertex(v, node);
+    n.contacts = place.contacts;
     for (const auto& [e, f] : place.contacts) join_pair(e, f, node);
     if (!at_end) {
         for (const std::uint32_t f : place.edges) join_pair(edge, f, node);
@@ -154,6 +155,8 @@ void Assembly::merge_nodes() {
         Node& into = nodes_[r];
         into.edges.insert(into.edges.end(), nodes_[i].edges.begin(), nodes_[i].edges.end());
         into.points.insert(into.points.end(), nodes_[i].points.begin(), nodes_[i].points.end());
+        into.contacts.insert(into.contacts.end(), nodes_[i].contacts.begin(),
+                             nodes_[i].contacts.end());
         nodes_[i] = {};
     }
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
@@ -198,6 +201,11 @@ void Assembly::cut_edge(std::uint32_t edge) {
             place.at = order_.crossing(a, b, f);
             found = true;
         }
+        if (!found && !nodes_[node].contacts.empty()) {
+            const auto& [g, h] = nodes_[node].contacts.front();
+            place.at = contact_on(edge, *axis, g, h);
+            found = true;
+        }
         if (found) own.push_back(place);
     }
     for (std::size_t i = known; i < own.size(); ++i) {
@@ -221,6 +229,28 @@ void Assembly::cut_edge(std::uint32_t edge) {
             last = i;
         }
     }
+}
+
+EdgeEvent Assembly::contact_on(std::uint32_t edge, std::size_t axis, std::uint32_t g,
+                               std::uint32_t h) {
+    const auto minor = [axis](const Vector3& x, const Vector3& y) {
+        const Vector3 n = cross(x, y);
+        return axis == 0 ? n.x : axis == 1 ? n.y : n.z;
+    };
+    const auto [u, w] = ends(edge);
+    const auto [a, b] = ends(g);
+    const auto [c, d] = ends(h);
+    // Up to one factor, the height of x over the line cd in the plane.
+    const auto height = [&, c = c, d = d](std::uint32_t x) {
+        return image_.exact_weight(c) * minor(image_.exact(d), image_.exact(x)) +
+               image_.exact_weight(d) * minor(image_.exact(x), image_.exact(c)) +
+               image_.exact_weight(x) * minor(image_.exact(c), image_.exact(d));
+    };
+    const Rational at_a = height(a);
+    const Rational s = at_a / (at_a - height(b));
+    const Vector3 r = image_.exact(a) + s * (image_.exact(b) - image_.exact(a));
+    const Rational from_u = minor(image_.exact(u), r);
+    return order_.fraction(from_u / (from_u + minor(r, image_.exact(w))));
 }
 
 void Assembly::add_arc(std::uint32_t edge, const Own& from, const Own& to) {

@@ -28,6 +28,7 @@ private:
     struct Node {
         std::vector<std::uint32_t> edges;  ///< met in their relative interior
         std::vector<std::uint32_t> points;
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;  ///< see EdgePlace
     };
     /// A place that an edge knows of itself.
     struct Own {
@@ -71,13 +72,16 @@ private:
     void merge_nodes();
     void cut_edges();
     void cut_edge(std::uint32_t edge);
+    /// Where two edges in an edge's sight plane, which cross in space, do so in the image.
+    [[nodiscard]] EdgeEvent contact_on(std::uint32_t edge, std::size_t axis, std::uint32_t g,
+                                       std::uint32_t h);
     void add_arc(std::uint32_t edge, const Own& from, const Own& to);
     void sort_round_nodes();
     void trace_rings();
     [[nodiscard]] std::optional<SightEnd> known_left(std::uint32_t edge, bool forward) const;
     [[nodiscard]] SightEnd look_left(const Arc& arc, bool reversed);
     void label_ring(Ring& ring);
-    [[nodiscard]] std::array<double, 3> middle(const Arc& arc) const;
+    [[nodiscard]] std::array<double, 3> middle(const Arc& arc);
     void link_rings();
     [[nodiscard]] bool collinear_against(std::uint32_t e, std::uint32_t f);
     /// Where a way crosses an arc: `at` grows along the way.

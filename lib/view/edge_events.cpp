@@ -16,10 +16,10 @@ Near ratio(const Near& a, const Near& b) {
     const double left = std::abs(whole) - error;
     if (!(left > 0)) return {0.5, 1};
     const double t = a.value / whole;
-    const double bound =
-        ((std::abs(b.value) + b.error) * a.error + (std::abs(a.value) + a.error) * b.error) /
-            (std::abs(whole) * left) +
-        0x1p-50;
+    // Quotients first: products of small numbers would underflow.
+    const double bound = (std::abs(b.value) + b.error) / std::abs(whole) * (a.error / left) +
+                         (std::abs(a.value) + a.error) / std::abs(whole) * (b.error / left) +
+                         0x1p-50;
     if (!(bound < 1)) return {0.5, 1};
     return {t, 2 * bound};
 }

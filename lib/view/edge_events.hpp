@@ -22,7 +22,8 @@ struct EdgeEvent {
         fraction  ///< at the parameter `value`
     };
     Kind kind = Kind::source;
-    bool hides = false;  ///< the edge is hidden on one side
+    bool hides = false;     ///< the edge is hidden on one side
+    bool is_named = false;  ///< of vertices: known to be before the edge
     std::uint32_t a = 0;
     std::uint32_t b = 0;
     std::uint32_t c = 0;

@@ -97,7 +97,7 @@ void EdgeSight::doubt_gaps() {
 // Corners of contacts that are no vertices: where sides of faces in the sight plane cross.
 void EdgeSight::add_contact_corners() {
     const PlacedScene& view = image_.scene();
-    std::vector<std::array<std::uint32_t, 3>> sides;
+    std::vector<std::array<std::uint32_t, 3>> sides{{u_, w_, edge_}};
     for (const std::uint32_t i : in_plane_) {
         const PlacedTriangle& t = view.triangles[i];
         for (std::size_t k = 0; k < 3; ++k) {
@@ -145,7 +145,7 @@ void EdgeSight::describe(std::uint32_t rank, EdgePlace& place) {
         const EdgeEvent& event = events_[i];
         if (event.kind == Kind::source) place.points.push_back(u_);
         if (event.kind == Kind::target) place.points.push_back(w_);
-        if (event.kind == Kind::vertex) add_once(place.points, event.a);
+        if (event.kind == Kind::vertex && event.is_named) add_once(place.points, event.a);
         if (event.kind == Kind::fraction && event.edge != no_edge) {
             place.contacts.emplace_back(std::min(event.edge, event.other),
                                         std::max(event.edge, event.other));

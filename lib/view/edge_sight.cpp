@@ -418,6 +418,7 @@ void EdgeSight::meet_vertex(std::uint32_t a) {
     if (is_negative(turn(u_, a)) || is_negative(turn(a, w_))) return;
     if (is_negative(level(u_, w_, a))) return;
     EdgeEvent event = order_.vertex(a);
+    event.is_named = true;
     if (is_zero(turn(u_, a))) event.t = {0, 0};
     if (is_zero(turn(a, w_))) event.t = {1, 0};
     add(event);
@@ -442,7 +443,10 @@ void EdgeSight::meet_side(const PlacedTriangle& t, std::size_t k) {
     }
     const auto crossing = [&] {
         const Rational at_u = exact_level(a, b, u_);
-        return order_.fraction(at_u / (at_u - exact_level(a, b, w_)));
+        EdgeEvent event = order_.fraction(at_u / (at_u - exact_level(a, b, w_)));
+        event.edge = side;
+        event.other = edge_;
+        return event;
     };
     const Depth depth = keep_behind(level(a, b, u_), level(a, b, w_), crossing, covered);
     if (depth == Depth::before) {

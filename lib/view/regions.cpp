@@ -193,9 +193,15 @@ bool Assembly::collinear_against(std::uint32_t e, std::uint32_t f) {
 }
 
 // A direction near the middle of an arc, of length about 1.
-std::array<double, 3> Assembly::middle(const Arc& arc) const {
+std::array<double, 3> Assembly::middle(const Arc& arc) {
     const auto [u, w] = ends(arc.edges.front());
-    const double t = arc.from.t.value / 2 + arc.to.t.value / 2;
+    const auto parameter = [&, u = u, w = w](EdgeEvent event) {
+        if (event.t.error < 0x1p-30) return event.t.value;
+        order_.begin(u, w, *image_.main_axis(image_.plane(u, w)));
+        event.exact = no_edge;
+        return order_.exact(event).approx_double();
+    };
+    const double t = parameter(arc.from) / 2 + parameter(arc.to) / 2;
     std::array<double, 3> r{};
     double size = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -9,5 +9,12 @@ TEST(View3Differential, AgreesWithTheReferenceOnRandomScenes) {
     EXPECT_GT(compare_on(0, 40, 2), 50);
 }
 
+// Pieces of edges end where two bodies' edges cross in their contact, in the edges' sight plane.
+TEST(View3Differential, AgreesWherePiecesEndAtCornersOfContacts) {
+    for (const std::uint64_t seed : {1028, 2618, 3566, 7505}) {
+        EXPECT_GT(compare_on(seed, seed + 1, 1), 0);
+    }
+}
+
 }  // namespace
 }  // namespace sightline::testing
