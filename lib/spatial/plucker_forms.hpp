@@ -54,34 +54,31 @@ template <>
 }
 
 // With integers the same sums, in place: a temporary costs more than a product.
-namespace in_place {
 inline void add_product(Integer& sum, const Integer& a, const Integer& b) {
     mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }
 inline void subtract_product(Integer& sum, const Integer& a, const Integer& b) {
     mpz_submul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }
-inline Integer product(const Integer& a, const Integer& b) {
+[[nodiscard]] inline Integer product(const Integer& a, const Integer& b) {
     Integer result;
     mpz_mul(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
     return result;
 }
-}  // namespace in_place
 
 template <>
 [[nodiscard]] inline Integer dot<Integer>(const Vec3<Integer>& a, const Vec3<Integer>& b) {
-    Integer sum = in_place::product(a[0], b[0]);
-    in_place::add_product(sum, a[1], b[1]);
-    in_place::add_product(sum, a[2], b[2]);
+    Integer sum = product(a[0], b[0]);
+    add_product(sum, a[1], b[1]);
+    add_product(sum, a[2], b[2]);
     return sum;
 }
 template <>
 [[nodiscard]] inline Vec3<Integer> cross<Integer>(const Vec3<Integer>& a, const Vec3<Integer>& b) {
-    Vec3<Integer> result{in_place::product(a[1], b[2]), in_place::product(a[2], b[0]),
-                         in_place::product(a[0], b[1])};
-    in_place::subtract_product(result[0], a[2], b[1]);
-    in_place::subtract_product(result[1], a[0], b[2]);
-    in_place::subtract_product(result[2], a[1], b[0]);
+    Vec3<Integer> result{product(a[1], b[2]), product(a[2], b[0]), product(a[0], b[1])};
+    subtract_product(result[0], a[2], b[1]);
+    subtract_product(result[1], a[0], b[2]);
+    subtract_product(result[2], a[1], b[0]);
     return result;
 }
 
@@ -109,10 +106,10 @@ template <typename N>
 template <>
 [[nodiscard]] inline Integer side<Integer>(const PluckerOf<Integer>& a,
                                            const PluckerOf<Integer>& b) {
-    Integer sum = in_place::product(a.d[0], b.m[0]);
-    in_place::add_product(sum, a.d[1], b.m[1]);
-    in_place::add_product(sum, a.d[2], b.m[2]);
-    for (std::size_t i = 0; i < 3; ++i) in_place::add_product(sum, a.m[i], b.d[i]);
+    Integer sum = product(a.d[0], b.m[0]);
+    add_product(sum, a.d[1], b.m[1]);
+    add_product(sum, a.d[2], b.m[2]);
+    for (std::size_t i = 0; i < 3; ++i) add_product(sum, a.m[i], b.d[i]);
     return sum;
 }
 
@@ -157,8 +154,8 @@ template <>
     const int j = (axis + 1) % 3;
     const int k = (axis + 2) % 3;
     Integer result = line.m[axis];
-    in_place::subtract_product(result, v[j], line.d[k]);
-    in_place::add_product(result, v[k], line.d[j]);
+    subtract_product(result, v[j], line.d[k]);
+    add_product(result, v[k], line.d[j]);
     return result;
 }
 

@@ -152,7 +152,7 @@ RESULTS = [
     ("half a result", "check graph.json boxes.scene", {"graph.json": HALF}, "",
      "sightline: graph.json: is no result of sightline (parse error at line 7, column 20: syntax error while parsing object key - invalid string: missing closing quote; last read: '\"re'; expected string literal); write it again"),
     ("result of unknown kind", "check info.json boxes.scene", {"info.json": INFO}, "",
-     "sightline: info.json: there is no reference for the kind 'info'; name a graph, view or path"),
+     "sightline: info.json: there is no reference for the kind 'info'; name a graph, view, path or skeleton"),
     ("edge of no vertices", "check graph.json boxes.scene", {"graph.json": BADEDGE}, "",
      "sightline: graph.json: is no result of sightline ([0, 99] is no edge); write it again"),
     ("coordinate that is no number", "check graph.json boxes.scene", {"graph.json": BADNUM}, "",
