@@ -82,6 +82,7 @@ private:
     [[nodiscard]] SightEnd look_left(const Arc& arc, bool reversed);
     void label_ring(Ring& ring);
     [[nodiscard]] std::array<double, 3> middle(const Arc& arc);
+    [[nodiscard]] Vector3 exact_middle(const Arc& arc);
     void link_rings();
     [[nodiscard]] bool collinear_against(std::uint32_t e, std::uint32_t f);
     /// Where a way crosses an arc: `at` grows along the way.

@@ -212,6 +212,17 @@ std::array<double, 3> Assembly::middle(const Arc& arc) {
     return r;
 }
 
+Vector3 Assembly::exact_middle(const Arc& arc) {
+    const auto [u, w] = ends(arc.edges.front());
+    order_.begin(u, w, *image_.main_axis(image_.plane(u, w)));
+    EdgeEvent from = arc.from;
+    EdgeEvent to = arc.to;
+    from.exact = to.exact = no_edge;
+    const Rational first = order_.exact(from);
+    const Rational t = (first + order_.exact(to)) / 2;
+    return image_.exact(u) + t * (image_.exact(w) - image_.exact(u));
+}
+
 // Joins the rings of one region: those that follow each other on a way from each component of the map to one
 // that has been linked before. As components and regions form a tree, that is enough.
 void Assembly::link_rings() {
@@ -251,18 +262,28 @@ void Assembly::walk(std::uint32_t from_arc, std::uint32_t to_arc, std::uint64_t&
     const auto exactly = [](const std::array<double, 3>& r) {
         return Vector3{Rational(r[0]), Rational(r[1]), Rational(r[2])};
     };
-    const auto random = [&](double scale) {
-        return Rational((static_cast<double>(next_random(seed) % 2001) - 1000) * scale);
+    const auto random = [&] { return Rational(static_cast<int>(next_random(seed) % 2001) - 1000); };
+    // A multiple of v about as long as w.
+    const auto matched = [](const Vector3& v, const Vector3& w) {
+        const auto norm = [](const Vector3& x) { return abs(x.x) + abs(x.y) + abs(x.z); };
+        return (norm(w) / norm(v)) * v;
     };
     const auto near = middle(arcs_[from_arc]);
     const auto far = middle(arcs_[to_arc]);
     const double distance =
         std::abs(near[0] - far[0]) + std::abs(near[1] - far[1]) + std::abs(near[2] - far[2]);
-    const Vector3 a = exactly(near);
-    const Vector3 b = exactly(far);
+    const Vector3 near_exact = exactly(near);
+    const Vector3 far_exact = exactly(far);
     for (int attempt = 0; attempt < 1000; ++attempt) {
-        const double scale = 0x1p-13 * std::max(distance, 0x1p-20) * (1 + attempt % 32);
-        const Vector3 over = a + b + Vector3{random(scale), random(scale), random(scale)};
+        // Directions that doubles hardly tell apart need exact ones.
+        const bool rounded = attempt < 8;
+        const Vector3 a = rounded ? near_exact : exact_middle(arcs_[from_arc]);
+        const Vector3 b = rounded ? far_exact : matched(exact_middle(arcs_[to_arc]), a);
+        const Vector3 d = b - a;
+        const Rational apart = rounded ? Rational(std::max(distance, 0x1p-20))
+                                       : std::max({abs(d.x), abs(d.y), abs(d.z)});
+        const Rational scale = Rational(0x1p-13 * (1 + attempt % 32)) * apart;
+        const Vector3 over = a + b + Vector3{scale * random(), scale * random(), scale * random()};
         const Rational prolong(0x1p-10 * static_cast<double>(1 + next_random(seed) % 64));
         std::vector<Crossing> crossings;
         if (!cross_arcs(a - prolong * (over - a), over, crossings)) continue;
@@ -339,13 +360,8 @@ bool Assembly::cross_arcs(const Vector3& a, const Vector3& b, std::vector<Crossi
             return dot(normal, cross(a, c)).sign() != Sign::negative &&
                    dot(normal, cross(c, b)).sign() != Sign::negative;
         };
-        if (at_u.sign() == Sign::zero || at_w.sign() == Sign::zero) {
-            // An end behind the viewpoint is no matter.
-            if (at_u.sign() == at_w.sign()) return false;
-            if (on_way(image_.exact(at_u.sign() == Sign::zero ? u : w))) return false;
-            continue;
-        }
-        if (at_u.sign() == at_w.sign()) continue;
+        if (at_u.sign() == Sign::zero && at_w.sign() == Sign::zero) return false;
+        if (at_u.sign() * at_w.sign() == Sign::positive) continue;
         // Where the edge crosses the way's great circle, and whether that is on the arc and on the way.
         const Rational t = at_u / (at_u - at_w);
         const auto axis = image_.main_axis(image_.plane(u, w));
@@ -356,9 +372,13 @@ bool Assembly::cross_arcs(const Vector3& a, const Vector3& b, std::vector<Crossi
         from.exact = to.exact = no_edge;
         const Sign after = order_.compare(here, from);
         const Sign before = order_.compare(here, to);
-        if (after == Sign::zero || before == Sign::zero) return false;
         if (after == Sign::negative || before == Sign::positive) continue;
         const Vector3 c = image_.exact(u) + t * (image_.exact(w) - image_.exact(u));
+        if (after == Sign::zero || before == Sign::zero) {
+            // A node, but it may be behind the viewpoint.
+            if (on_way(c)) return false;
+            continue;
+        }
         // c = x a + y b up to a factor: turns from a and to b.
         const Rational from_a = dot(normal, cross(a, c));
         const Rational to_b = dot(normal, cross(c, b));
