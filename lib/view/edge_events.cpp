@@ -60,7 +60,10 @@ EdgeEvent EdgeOrder::fraction(const Rational& t) {
 }
 
 Rational EdgeOrder::parameter(const EdgeEvent& x) {
-    const auto of = [](const Rational& a, const Rational& b) { return a / (a - b); };
+    // Equal only where uncertain signs have led.
+    const auto of = [](const Rational& a, const Rational& b) {
+        return a == b ? Rational(1) / 2 : a / (a - b);
+    };
     switch (x.kind) {
         case Kind::source:
             return 0;

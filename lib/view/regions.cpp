@@ -277,6 +277,9 @@ void Assembly::walk(std::uint32_t from_arc, std::uint32_t to_arc, std::uint64_t&
     for (int attempt = 0; attempt < 1000; ++attempt) {
         // Directions that doubles hardly tell apart need exact ones.
         const bool rounded = attempt < 8;
+        const Arithmetic arithmetic = image_.arithmetic();
+        if (!rounded && arithmetic != Arithmetic::filtered && arithmetic != Arithmetic::exact)
+            return;
         const Vector3 a = rounded ? near_exact : exact_middle(arcs_[from_arc]);
         const Vector3 b = rounded ? far_exact : matched(exact_middle(arcs_[to_arc]), a);
         const Vector3 d = b - a;
@@ -306,9 +309,7 @@ void Assembly::walk(std::uint32_t from_arc, std::uint32_t to_arc, std::uint64_t&
         }
         return;
     }
-    // Signs that are not certain may make a map that is none.
-    const Arithmetic arithmetic = image_.arithmetic();
-    SIGHTLINE_EXPECT(arithmetic == Arithmetic::double_ || arithmetic == Arithmetic::interval);
+    SIGHTLINE_EXPECT(false);
 }
 
 // Appends the arcs that the way from a to b crosses, in order; false when it meets a node or crosses two arcs at once.

@@ -2,6 +2,7 @@
 #include "sightline/view/view3.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <ostream>
 #include <set>
 
@@ -116,6 +117,27 @@ Vector3 cone_side_normal(const View3& view, std::uint32_t side) {
     return view.from.at_infinity ? cross(p, b - a) : cross(a - p, b - p);
 }
 
+Result<View3> look_at(const PlacedScene& placed, const Viewpoint3& from,
+                      const View3Options& options) {
+    Image image(placed, from, options.cone, options.arithmetic, options.tally);
+    const auto sides = static_cast<std::uint32_t>(options.cone.size());
+    if (auto checked = check_cone(image, sides); !checked) return tl::unexpected(checked.error());
+    const Location location = from.at_infinity ? Location{} : locate(image);
+    if (location.place == Place::inside) return inside(*placed.scene, location.body);
+    const detail::Facings facings(image, location.place == Place::on_solid);
+    detail::EdgeSight sight(image, facings, sides);
+    detail::Assembly assembly(image, facings, sides);
+    detail::EdgeView seen;
+    for (std::uint32_t e = 0; e < placed.edges.size(); ++e) {
+        sight.look(e, seen);
+        assembly.add(e, seen);
+    }
+    std::optional<BodyId> blocked_by;
+    View3 view{from, options.cone, assembly.finish(blocked_by)};
+    if (blocked_by) return inside(*placed.scene, *blocked_by);
+    return view;
+}
+
 }  // namespace
 
 PointVisibility3::PointVisibility3(const Scene3& scene)
@@ -140,23 +162,16 @@ Result<View3> PointVisibility3::along(const Vector3& direction, const View3Optio
 }
 
 Result<View3> PointVisibility3::look(const Viewpoint3& from, const View3Options& options) const {
-    Image image(*scene_, from, options.cone, options.arithmetic, options.tally);
-    const auto sides = static_cast<std::uint32_t>(options.cone.size());
-    if (auto checked = check_cone(image, sides); !checked) return tl::unexpected(checked.error());
-    const Location location = from.at_infinity ? Location{} : locate(image);
-    if (location.place == Place::inside) return inside(*scene_->scene, location.body);
-    const detail::Facings facings(image, location.place == Place::on_solid);
-    detail::EdgeSight sight(image, facings, sides);
-    detail::Assembly assembly(image, facings, sides);
-    detail::EdgeView seen;
-    for (std::uint32_t e = 0; e < scene_->edges.size(); ++e) {
-        sight.look(e, seen);
-        assembly.add(e, seen);
+    if (options.arithmetic == Arithmetic::filtered || options.arithmetic == Arithmetic::exact) {
+        return look_at(*scene_, from, options);
     }
-    std::optional<BodyId> blocked_by;
-    View3 view{from, options.cone, assembly.finish(blocked_by)};
-    if (blocked_by) return inside(*scene_->scene, *blocked_by);
-    return view;
+    // Signs that are not certain may contradict each other.
+    try {
+        return look_at(*scene_, from, options);
+    } catch (const std::exception&) {
+        return fail(Errc::bad_parameter,
+                    "the chosen arithmetic contradicts itself in this view; use filtered");
+    }
 }
 
 Result<View3> view3(const Scene3& scene, const Viewpoint3& from, const View3Options& options) {
